@@ -33,6 +33,7 @@
 #include <stdexcept>
 
 #include "algorithms/context.hpp"
+#include "base/heap.hpp"
 #include "base/text.hpp"
 #include "bench/control_group.hpp"
 #include "bench/process_info.hpp"
@@ -51,6 +52,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr rlim_t kLogBytes = rlim_t{64} << 20;
 constexpr std::chrono::milliseconds kWatch{10};  // between two readings of memory and processor time
+constexpr double kReserved = 0.75;               // of the memory limit: address space for the heap
 constexpr int kKillRounds = 1000;                // processes may be started while others are killed
 
 volatile std::sig_atomic_t running_group = 0;        // process group of the child, or 0
@@ -110,6 +112,7 @@ void prepare(const ChildTask& task, const Birth& birth) {
   disable_core_dumps();
   if (!task.writes_results) set_soft_limit(RLIMIT_FSIZE, static_cast<double>(kLogBytes));
   if (!OXTURN_SANITIZED) set_soft_limit(RLIMIT_AS, address_space_bytes(::getpid()) + task.limits.memory_mb * kMega);
+  reserve_heap(kReserved * task.limits.memory_mb * kMega);
 }
 
 void fail(int fd, Outcome outcome, const char* what, int exit_code = 0, int signal = 0) {

@@ -1,0 +1,65 @@
+#include "base/heap.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>  // defines __GLIBC__
+#include <limits>
+#include <vector>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define OXTURN_GLIBC_HEAP 1
+#else
+#define OXTURN_GLIBC_HEAP 0
+#endif
+
+namespace oxturn {
+
+void keep_freed_memory() {
+#if OXTURN_GLIBC_HEAP
+  mallopt(M_MMAP_THRESHOLD, std::numeric_limits<int>::max());  // bytes
+  mallopt(M_TRIM_THRESHOLD, -1);                               // never
+#endif
+}
+
+#if OXTURN_GLIBC_HEAP && defined(MADV_HUGEPAGE)
+namespace {
+
+constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
+constexpr std::size_t kBlock = std::size_t{1} << 30;  // less than what keep_freed_memory() takes out of the heap
+
+void ask_for_huge_pages(void* block, std::size_t size) {
+  const auto address = reinterpret_cast<std::uintptr_t>(block);
+  const std::uintptr_t begin = (address + kHugePage - 1) / kHugePage * kHugePage;
+  const std::uintptr_t end = (address + size) / kHugePage * kHugePage;
+  if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
+
+}  // namespace
+
+void reserve_heap(double bytes) {
+  const double memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  bytes = std::min(bytes, memory);
+  if (!(bytes > 0)) return;
+  std::vector<void*> blocks;
+  blocks.reserve(static_cast<std::size_t>(bytes / kBlock) + 1);  // else they would lie behind a block
+  for (double left = bytes; left > 0; left -= kBlock) {
+    const std::size_t size = std::min(kBlock, static_cast<std::size_t>(left));
+    void* block = std::malloc(size);
+    if (block == nullptr) break;
+    ask_for_huge_pages(block, size);
+    blocks.push_back(block);
+  }
+  for (void* block : blocks) std::free(block);  // they join what is free at the end of the heap
+}
+#else
+void reserve_heap(double) {}
+#endif
+
+}  // namespace oxturn
