@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>  // defines __GLIBC__
 #include <limits>
 #include <vector>
@@ -41,9 +42,20 @@ void ask_for_huge_pages(void* block, std::size_t size) {
   if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 }
 
+/// vm.overcommit_memory = 2: address space counts as memory in use, and soon there is none left for other processes.
+bool address_space_is_scarce() {
+  char mode = '0';
+  if (std::FILE* file = std::fopen("/proc/sys/vm/overcommit_memory", "re")) {
+    if (std::fread(&mode, 1, 1, file) != 1) mode = '0';
+    std::fclose(file);
+  }
+  return mode == '2';
+}
+
 }  // namespace
 
 void reserve_heap(double bytes) {
+  if (address_space_is_scarce()) return;
   const double memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
   bytes = std::min(bytes, memory);
   if (!(bytes > 0)) return;

@@ -3,8 +3,8 @@
 ///   int main() { keep_freed_memory(); ... }
 ///   reserve_heap(3e9);                        // before a computation that may need so much
 ///
-/// Without effect where the C library is not glibc, the system has no huge pages to give, or a sanitizer has replaced
-/// the heap.
+/// Without effect where the C library is not glibc, the system has no huge pages to give or counts address space as
+/// memory in use (vm.overcommit_memory = 2), or a sanitizer has replaced the heap.
 #pragma once
 
 namespace oxturn {
