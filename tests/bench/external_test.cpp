@@ -190,7 +190,7 @@ TEST(External, APublishedPathSurvivesTheTimeout) {
 
 // Processor time does not depend on how busy the machine is.
 TEST(External, TheClockStartsWithTheProblem) {
-  const Planned slow = zoo("slow_start");  // works for 0.5 s before it is ready
+  const Planned slow = zoo("slow_start");  // works for 0.5 s before it is ready, as does a child of it
   EXPECT_EQ(slow.outcome, Outcome::ok);
   EXPECT_LT(slow.cpu_s, 0.4);
   const Planned burn = zoo("burn");  // works for 0.3 s after that

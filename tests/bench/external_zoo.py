@@ -71,6 +71,10 @@ def before_ready():
     if MODE == "slow_start":
         time.sleep(0.5)
         burn(0.5)
+        if os.fork() == 0:
+            burn(0.5)
+            os._exit(0)
+        os.wait()
     if MODE == "close_input":
         os.close(0)
     if MODE == "traceback":
