@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>  // defines __GLIBC__
 #include <limits>
+#include <memory>
 #include <vector>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -32,14 +32,13 @@ void keep_freed_memory() {
 #if OXTURN_GLIBC_HEAP && defined(MADV_HUGEPAGE)
 namespace {
 
-constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
 constexpr std::size_t kBlock = std::size_t{1} << 30;  // less than what keep_freed_memory() takes out of the heap
 
 void ask_for_huge_pages(void* block, std::size_t size) {
-  const auto address = reinterpret_cast<std::uintptr_t>(block);
-  const std::uintptr_t begin = (address + kHugePage - 1) / kHugePage * kHugePage;
-  const std::uintptr_t end = (address + size) / kHugePage * kHugePage;
-  if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  std::size_t left = size;
+  if (void* begin = block; std::align(kHugePage, kHugePage, begin, left) != nullptr)
+    ::madvise(begin, left / kHugePage * kHugePage, MADV_HUGEPAGE);
 }
 
 /// vm.overcommit_memory = 2: address space counts as memory in use, and soon there is none left for other processes.
@@ -57,16 +56,17 @@ bool address_space_is_scarce() {
 void reserve_heap(double bytes) {
   if (address_space_is_scarce()) return;
   const double memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  bytes = std::min(bytes, memory);
   if (!(bytes > 0)) return;
+  auto left = static_cast<std::size_t>(std::min(bytes, memory));
   std::vector<void*> blocks;
-  blocks.reserve(static_cast<std::size_t>(bytes / kBlock) + 1);  // else they would lie behind a block
-  for (double left = bytes; left > 0; left -= kBlock) {
-    const std::size_t size = std::min(kBlock, static_cast<std::size_t>(left));
+  blocks.reserve(left / kBlock + 1);  // else they would lie behind a block
+  while (left > 0) {
+    const std::size_t size = std::min(kBlock, left);
     void* block = std::malloc(size);
     if (block == nullptr) break;
     ask_for_huge_pages(block, size);
     blocks.push_back(block);
+    left -= size;
   }
   for (void* block : blocks) std::free(block);  // they join what is free at the end of the heap
 }
