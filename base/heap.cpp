@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>  // defines __GLIBC__
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -14,22 +14,18 @@
 #include <malloc.h>
 #endif
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define OXTURN_GLIBC_HEAP 1
-#else
-#define OXTURN_GLIBC_HEAP 0
-#endif
+#include "base/sanitized.hpp"
 
 namespace oxturn {
 
 void keep_freed_memory() {
-#if OXTURN_GLIBC_HEAP
+#ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, std::numeric_limits<int>::max());  // bytes
   mallopt(M_TRIM_THRESHOLD, -1);                               // never
 #endif
 }
 
-#if OXTURN_GLIBC_HEAP && defined(MADV_HUGEPAGE)
+#if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
@@ -44,17 +40,14 @@ void ask_for_huge_pages(void* block, std::size_t size) {
 /// vm.overcommit_memory = 2: address space counts as memory in use, and soon there is none left for other processes.
 bool address_space_is_scarce() {
   char mode = '0';
-  if (std::FILE* file = std::fopen("/proc/sys/vm/overcommit_memory", "re")) {
-    if (std::fread(&mode, 1, 1, file) != 1) mode = '0';
-    std::fclose(file);
-  }
+  std::ifstream("/proc/sys/vm/overcommit_memory") >> mode;
   return mode == '2';
 }
 
 }  // namespace
 
 void reserve_heap(double bytes) {
-  if (address_space_is_scarce()) return;
+  if (kSanitized || address_space_is_scarce()) return;
   const double memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
   if (!(bytes > 0)) return;
   auto left = static_cast<std::size_t>(std::min(bytes, memory));

@@ -18,7 +18,7 @@ void keep_freed_memory();
 /// Extends the heap by so many bytes of address space, of which none is in use, and asks for huge pages there: a page
 /// of 4 kB costs the system some microseconds when it is first touched, and the processor looks up its address far more
 /// often. Planning at 10^6 cells takes 4 % (field-predictive) to 11 % (berg) less time, the quick suite a tenth less.
-/// No more than the machine has memory, and no more than there is address space.
+/// At most as much as the machine has memory, and as there is address space.
 void reserve_heap(double bytes);
 
 }  // namespace oxturn

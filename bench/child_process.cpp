@@ -34,16 +34,11 @@
 
 #include "algorithms/context.hpp"
 #include "base/heap.hpp"
+#include "base/sanitized.hpp"
 #include "base/text.hpp"
 #include "bench/control_group.hpp"
 #include "bench/process_info.hpp"
 #include "bench/wire.hpp"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define OXTURN_SANITIZED 1
-#else
-#define OXTURN_SANITIZED 0
-#endif
 
 namespace oxturn {
 namespace {
@@ -111,7 +106,7 @@ void prepare(const ChildTask& task, const Birth& birth) {
   redirect(birth);
   disable_core_dumps();
   if (!task.writes_results) set_soft_limit(RLIMIT_FSIZE, static_cast<double>(kLogBytes));
-  if (!OXTURN_SANITIZED) set_soft_limit(RLIMIT_AS, address_space_bytes(::getpid()) + task.limits.memory_mb * kMega);
+  if (!kSanitized) set_soft_limit(RLIMIT_AS, address_space_bytes(::getpid()) + task.limits.memory_mb * kMega);
   reserve_heap(kReserved * task.limits.memory_mb * kMega);
 }
 

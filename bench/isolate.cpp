@@ -75,9 +75,7 @@ class PlannerChild {
     resident_before_ = resident_bytes(::getpid());
     cpu_before_ = own_cpu_seconds();
     // Programs that were started before and are waited for later count with all of their time then.
-    // That includes what they have waited for themselves, such as the helpers of a script that starts an interpreter.
-    for (const pid_t p : descendants(::getpid()))
-      cpu_before_ += precise_cpu_seconds(p) + cpu_seconds_of_ended_children(p);
+    for (const pid_t p : descendants(::getpid())) cpu_before_ += precise_cpu_seconds(p);
     wall_before_ = Clock::now();
   }
 

@@ -49,6 +49,22 @@ unsigned long number_after(const char* text, const char* key) {
   return 0;
 }
 
+struct ProcessorTime {
+  double own = 0, children = 0;  // seconds; of the children that have been waited for
+};
+
+ProcessorTime processor_time(pid_t pid) {
+  const SmallFile stat(FileName(pid, "stat").text);
+  const char* end = std::strrchr(stat.text, ')');
+  unsigned long user = 0, system = 0;
+  long children_user = 0, children_system = 0;
+  if (end == nullptr || std::sscanf(end + 1, " %*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu %ld %ld", &user,
+                                    &system, &children_user, &children_system) != 4)
+    return {};
+  const double ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));  // per second
+  return {static_cast<double>(user + system) / ticks, static_cast<double>(children_user + children_system) / ticks};
+}
+
 /// By the threads' lists of children, where the kernel has them; false if it does not.
 bool listed_children(pid_t pid, std::vector<pid_t>& children) {
   DIR* tasks = ::opendir(FileName(pid, "task").text);
@@ -112,38 +128,16 @@ double private_bytes(pid_t pid) {
          static_cast<double>(number_after(rollup.text, "Private_Clean:") + number_after(rollup.text, "Private_Dirty:"));
 }
 
-namespace {
-
-struct ProcessorTime {
-  double own = 0, children = 0;  // seconds; of the children that have been waited for
-};
-
-ProcessorTime processor_time(pid_t pid) {
-  const SmallFile stat(FileName(pid, "stat").text);
-  const char* end = std::strrchr(stat.text, ')');
-  unsigned long user = 0, system = 0;
-  long children_user = 0, children_system = 0;
-  if (end == nullptr || std::sscanf(end + 1, " %*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu %ld %ld", &user,
-                                    &system, &children_user, &children_system) != 4)
-    return {};
-  const double ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));  // per second
-  return {static_cast<double>(user + system) / ticks, static_cast<double>(children_user + children_system) / ticks};
-}
-
-}  // namespace
-
 double cpu_seconds(pid_t pid) {
   const ProcessorTime time = processor_time(pid);
   return time.own + time.children;
 }
 
-double cpu_seconds_of_ended_children(pid_t pid) { return processor_time(pid).children; }
-
 double precise_cpu_seconds(pid_t pid) {
   clockid_t clock{};
   timespec t{};
   if (::clock_getcpuclockid(pid, &clock) != 0 || ::clock_gettime(clock, &t) != 0) return 0;
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec) + processor_time(pid).children;
 }
 
 double peak_resident_bytes(pid_t pid) {

@@ -22,9 +22,7 @@ double address_space_bytes(pid_t pid);
 double private_bytes(pid_t pid);
 /// User and system time of a process and of its children that have been waited for.
 double cpu_seconds(pid_t pid);
-/// The part of its children in that.
-double cpu_seconds_of_ended_children(pid_t pid);
-/// The part of the process itself, to the microsecond.
+/// The same, its own part to the microsecond.
 double precise_cpu_seconds(pid_t pid);
 /// The most resident memory that a process has had since it began its program.
 double peak_resident_bytes(pid_t pid);

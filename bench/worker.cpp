@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "base/files.hpp"
-#include "base/heap.hpp"
 #include "base/text.hpp"
 #include "bench/build_info.hpp"
 #include "bench/finish.hpp"
@@ -25,7 +24,6 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kLongestReason = 500;
-constexpr double kReserved = 0.75;  // of the memory limit: address space for the problem
 
 // One printable line of bounded length: the text may come from any exception.
 std::string as_reason(const std::string& text) {
@@ -78,7 +76,6 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
   const MapSpec& spec = work.suite.maps[cell.map];
   const Robot& robot = work.suite.robots[cell.robot];
   const Registry& registry = work.registry;
-  reserve_heap(kReserved * work.suite.limits.memory_mb * kMega);
   try {
     std::optional<Location> start = spec.start, anchor = spec.anchor;
     MapFile content = spec.content ? *spec.content : load_map(source_of(spec), registry.generators, registry.formats);

@@ -2,12 +2,8 @@
 #include "cli/program.hpp"
 #include "reports/built_in_registry.hpp"
 
-namespace {
-constexpr double kReserved = 2e9;  // bytes, for maps and problems
-}
-
 int main(int argc, char** argv) {
   oxturn::keep_freed_memory();
-  oxturn::reserve_heap(kReserved);
+  oxturn::reserve_heap(2e9);  // for maps and problems; forked processes have it too
   return oxturn::cli::run_program(argc, argv, oxturn::built_in_registry());
 }

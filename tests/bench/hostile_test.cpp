@@ -20,6 +20,7 @@
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "base/sanitized.hpp"
 #include "bench/child_process.hpp"
 #include "bench/process_info.hpp"
 #include "bench/run_suite.hpp"
@@ -33,12 +34,6 @@ using ::testing::ContainsRegex;
 using testing::Folder;
 using ::testing::HasSubstr;
 using testing::test_registry;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;  // refuses large blocks by aborting, and its own memory grows
-#else
-constexpr bool kSanitized = false;
-#endif
 
 /// What becomes of a planner: its outcome (one of those separated by |), and a regular expression for the reason.
 struct Expected {

@@ -14,6 +14,7 @@
 #include <filesystem>
 
 #include "base/files.hpp"
+#include "base/sanitized.hpp"
 #include "bench/process_info.hpp"
 #include "bench/run_suite.hpp"
 #include "bench/verdict.hpp"
@@ -140,9 +141,7 @@ TEST(Isolate, MemoryOfAllProcessesCounts) {
 
 // The limit is the one that is given, from both sides.
 TEST(Isolate, TheMemoryLimitIsAccurate) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "a sanitizer's own memory counts, too";
-#endif
+  if (kSanitized) GTEST_SKIP() << "a sanitizer's own memory counts, too";
   IsolationOptions options = limits();
   options.limits.memory_mb = 45;
   EXPECT_EQ(run("measure", options).outcome, Outcome::out_of_memory);  // 50 MB
