@@ -67,7 +67,10 @@ Point meeting_point(const Point& a, const Point& b, const Edge& e) {
 
 /// Replaces `best` if the new pair of points is nearer, or as near on a lower edge.
 void offer(EdgeIndex::Nearest& best, const Point& from, const Point& point, std::size_t edge) {
-  const double d = distance(from, point);
+  constexpr double kRounding = 1 + 1e-14;
+  const double d2 = (from - point).squaredNorm();
+  if (d2 > kRounding * best.distance * best.distance) return;  // most are farther: no square root
+  const double d = std::sqrt(d2);
   if (d < best.distance || (d == best.distance && edge < best.edge)) best = {d, point, from, edge};
 }
 

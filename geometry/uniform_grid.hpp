@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -53,7 +54,7 @@ class UniformGrid {
       if (corners == 2) total += distance(vertices[0], vertices[1]);
     }
     *this = UniformGrid(box, n, total);
-    fill(n, [&](std::size_t i, auto enter) { visit(shape(i), 0, enter); });
+    fill(n, [&](std::size_t i, auto enter) { visit_some(shape(i), 0, 1, enter); });
   }
 
   /// Puts item i into every cell c for which visit_item(i, enter) calls enter(c). Calls it twice for each item: first
@@ -95,40 +96,59 @@ class UniformGrid {
   }
 
   /// Calls f(cell), row by row, for every cell within `pad` of a point, a segment or a convex polygon, given by its
-  /// vertices, and for some cells slightly farther away. Stops when f returns true, and returns whether it did.
+  /// vertices, and for some cells farther away. Stops when f returns true, and returns whether it did.
   template <class F>
   bool visit(std::span<const Point> vertices, double pad, F f) const {
+    return visit_some(vertices, pad, kFewCells, f);
+  }
+
+ private:
+  static constexpr double kSlack = 1e-7;          // cells: far above the rounding of (x - low) / cell
+  static constexpr std::size_t kFewVertices = 4;  // those of most shapes
+  static constexpr int kFewCells = 16;            // to choose those near a shape costs more than to look into all
+  static int clamped(double v, int n) { return v > 0 ? static_cast<int>(std::min(v, static_cast<double>(n - 1))) : 0; }
+
+  /// As visit(). Cells that are farther away than slightly are visited only where the shape's bounding box meets `few`
+  /// cells at most.
+  template <class F>
+  bool visit_some(std::span<const Point> vertices, double pad, int few, F f) const {
     if (empty()) return false;
+    std::array<Point, kFewVertices> buffer;
+    std::vector<Point> longer(vertices.size() > kFewVertices ? vertices.size() : 0);
+    const std::span<Point> shape(longer.empty() ? buffer.data() : longer.data(), vertices.size());  // in cells
     const double reach = pad / cell_ + kSlack;
-    double bottom = 1e300, top = -1e300;
-    for (const Point& p : vertices) {
-      const double v = (p.y() - low_.y()) / cell_;
-      bottom = std::min(bottom, v);
-      top = std::max(top, v);
+    double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      shape[i] = (vertices[i] - low_) / cell_;
+      left = std::min(left, shape[i].x());
+      right = std::max(right, shape[i].x());
+      bottom = std::min(bottom, shape[i].y());
+      top = std::max(top, shape[i].y());
     }
-    if (!(top + reach >= 0 && bottom - reach <= rows_)) return false;
-    const int last = clamped(top + reach, rows_);
-    for (int j = clamped(bottom - reach, rows_); j <= last; ++j) {
-      double left = 1e300, right = -1e300;
-      const std::size_t edges = vertices.size() == 2 ? 1 : vertices.size();
-      for (std::size_t i = 0; i < edges; ++i)
-        widen(vertices[i], vertices[i + 1 < vertices.size() ? i + 1 : 0], j - reach, j + 1 + reach, left, right);
-      left -= reach;
-      right += reach;
-      if (!(left <= columns_ && right >= 0)) continue;
-      const int end = clamped(right, columns_);
-      for (int i = clamped(left, columns_); i <= end; ++i)
+    if (!(top + reach >= 0 && bottom - reach <= rows_ && right + reach >= 0 && left - reach <= columns_)) return false;
+    const int first = clamped(left - reach, columns_), end = clamped(right + reach, columns_);
+    const int low = clamped(bottom - reach, rows_), high = clamped(top + reach, rows_);
+    const bool all = end - first < few && high - low < few && (end - first + 1) * (high - low + 1) <= few;
+    for (int j = low; j <= high; ++j) {
+      const auto [from, to] = all ? std::pair(first, end) : columns_near(shape, j, reach);
+      for (int i = from; i <= to; ++i)
         if (f(index(i, j))) return true;
     }
     return false;
   }
-
- private:
-  static constexpr double kSlack = 1e-7;  // cells: far above the rounding of (x - low) / cell
-  static int clamped(double v, int n) { return v > 0 ? static_cast<int>(std::min(v, static_cast<double>(n - 1))) : 0; }
-  /// Widens [left, right] by the columns of the part of ab between the heights v0 and v1; all in cells.
-  void widen(const Point& a, const Point& b, double v0, double v1, double& left, double& right) const {
-    const Point p = (a - low_) / cell_, q = (b - low_) / cell_;
+  /// The columns of row j within `reach` of a shape; all in cells.
+  std::pair<int, int> columns_near(std::span<const Point> shape, int j, double reach) const {
+    double left = 1e300, right = -1e300;
+    const std::size_t edges = shape.size() == 2 ? 1 : shape.size();
+    for (std::size_t i = 0; i < edges; ++i)
+      widen(shape[i], shape[i + 1 < shape.size() ? i + 1 : 0], j - reach, j + 1 + reach, left, right);
+    left -= reach;
+    right += reach;
+    if (!(left <= columns_ && right >= 0)) return {0, -1};
+    return {clamped(left, columns_), clamped(right, columns_)};
+  }
+  /// Widens [left, right] by the columns of the part of pq between the heights v0 and v1; all in cells.
+  static void widen(const Point& p, const Point& q, double v0, double v1, double& left, double& right) {
     if (std::max(p.y(), q.y()) < v0 || std::min(p.y(), q.y()) > v1) return;
     double s = 0, t = 1;
     const double dv = q.y() - p.y();

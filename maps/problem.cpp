@@ -150,9 +150,11 @@ struct Problem::Impl {
   mutable std::optional<Mesh> mesh;  // of the space, if the search for a start made it; shortest paths take it
   mutable std::unique_ptr<const ShortestPaths> transit;
   mutable std::unique_ptr<const EdgeIndex> walls;
+  std::shared_ptr<const Impl> transit_of;  // the problem whose shortest paths it shares, if they are not its own
 
-  Impl(std::shared_ptr<const ProblemBasis> b, std::shared_ptr<const Region> s, const Point& from, Robot r)
-      : basis(std::move(b)), space(std::move(s)), start(from), robot(std::move(r)) {}
+  Impl(std::shared_ptr<const ProblemBasis> b, std::shared_ptr<const Region> s, const Point& from, Robot r,
+       std::shared_ptr<const Impl> shares = nullptr)
+      : basis(std::move(b)), space(std::move(s)), start(from), robot(std::move(r)), transit_of(std::move(shares)) {}
 };
 
 namespace {
@@ -249,6 +251,7 @@ double Problem::tolerance() const { return impl_->basis->tolerance; }
 const EdgeIndex& Problem::map_edges() const { return impl_->basis->map_edges(); }
 
 const ShortestPaths& Problem::transit() const {
+  if (impl_->transit_of) return Problem(impl_->transit_of).transit();
   std::call_once(impl_->transit_once, [this] {
     Mesh mesh = impl_->mesh ? std::move(*impl_->mesh) : Mesh(*impl_->space);
     impl_->mesh.reset();
@@ -262,21 +265,33 @@ const EdgeIndex& Problem::walls() const {
   return *impl_->walls;
 }
 
-Problem Problem::restricted(Region configuration_space) const {
-  return restricted(std::move(configuration_space), start());
+namespace {
+
+/// Throws unless the space holds the start.
+std::shared_ptr<const Region> space_with(const Point& start, Region space, const Problem& problem) {
+  if (!holds(space, start, problem.tolerance()))
+    throw_invalid("restricted configuration space of '{}' does not hold the start {}", problem.map().name,
+                  to_text(start));
+  return std::make_shared<const Region>(std::move(space));
+}
+
+}  // namespace
+
+Problem Problem::restricted(Region configuration_space, Transit transit) const {
+  return Problem(std::make_shared<const Impl>(impl_->basis, space_with(start(), std::move(configuration_space), *this),
+                                              start(), robot(), transit == Transit::shared ? impl_ : nullptr));
 }
 
 Problem Problem::restricted(Region configuration_space, const Point& start) const {
-  if (!holds(configuration_space, start, tolerance()))
-    throw_invalid("restricted configuration space of '{}' does not hold the start {}", map().name, to_text(start));
-  return Problem(std::make_shared<const Impl>(
-      impl_->basis, std::make_shared<const Region>(std::move(configuration_space)), start, robot()));
+  return Problem(std::make_shared<const Impl>(impl_->basis, space_with(start, std::move(configuration_space), *this),
+                                              start, robot()));
 }
 
 Problem Problem::turning_on_the_spot() const {
   Robot robot = impl_->robot;
   robot.min_turn_radius = 0;
-  return Problem(std::make_shared<const Impl>(impl_->basis, impl_->space, start(), std::move(robot)));
+  return Problem(
+      std::make_shared<const Impl>(impl_->basis, impl_->space, start(), std::move(robot), impl_->transit_of));
 }
 
 std::string Problem::content_hash() const {

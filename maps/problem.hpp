@@ -47,7 +47,7 @@ class Problem {
   /// Geodesic distances from the anchor and all else that a tether brings along; nullptr for robots without one.
   const TetherModel* tether() const;
 
-  /// Shortest paths in configuration space; built at the first call (thread-safe).
+  /// Shortest paths in configuration space (or see Transit::shared); built at the first call (thread-safe).
   const ShortestPaths& transit() const;
   /// Edges of configuration space; built at the first call (thread-safe).
   const EdgeIndex& walls() const;
@@ -63,9 +63,12 @@ class Problem {
   /// Configuration space ends elsewhere than near the map's walls: by a tether's length, or by restricted().
   bool limited() const;
 
+  /// Where a restricted problem's shortest paths may lead: through its own configuration space, or through all of this
+  /// problem's, which spares a triangulation.
+  enum class Transit { own, shared };
   /// The same problem with a smaller configuration space (which must hold the start); the target stays. A
   /// wrapper gives an ordinary planner less room this way.
-  Problem restricted(Region configuration_space) const;
+  Problem restricted(Region configuration_space, Transit transit = Transit::own) const;
   /// The same with another start.
   Problem restricted(Region configuration_space, const Point& start) const;
 

@@ -85,10 +85,8 @@ class Repair {
       for (const Polygon& piece : left_.polygons) {
         if (round == 0)
           fill(piece);
-        else if (round + 1 < kRounds && !arcs_reach(piece))
-          append(lanes_in(piece));
         else
-          note_walls(piece, wall_arcs().arcs);
+          fill_rest(piece, round + 1 < kRounds);
       }
       add_arcs();
       left_ = rest(left_, std::span(pieces_).subspan(before));
@@ -123,22 +121,27 @@ class Repair {
     return covers;
   }
 
-  /// Lanes; arcs of the boundary where those are shorter; or arcs, and lanes for what they leave.
+  /// Lanes; or, where walls are beside the piece and that is shorter, arcs of the boundary, and lanes for what they
+  /// leave. A band along walls waits for the next round, when lanes near by have covered some of it, unless lanes are
+  /// shorter than its arcs.
   void fill(const Polygon& piece) {
     const std::vector<Ring> lanes = lanes_in(piece);
     const bool along = lies_along_walls(piece);
+    if (along && lanes.empty()) return;
     if (!along && (lanes.size() < kManyLanes || !is_beside_walls(piece))) return append(lanes);
     const std::vector<Ring> arcs = arcs_beside({{piece}});
-    if (along) {
-      if (length_with(arcs) > length_with(lanes)) return append(lanes);
-      return note_walls(piece, wall_arcs().arcs);
-    }
-    const std::vector<Ring> between = lanes_in(rest({{piece}}, arcs));
+    const std::vector<Ring> between = along ? std::vector<Ring>{} : lanes_in(rest({{piece}}, arcs));
     if (length_with(arcs) + length_with(between) >
         length_with(lanes) + length_with(arcs_beside(rest({{piece}}, lanes))))
       return append(lanes);
-    note_walls(piece, wall_arcs().arcs);
     append(between);
+    if (!along) note_walls(piece, wall_arcs().arcs);
+  }
+  /// Arcs where they reach, or no lane does.
+  void fill_rest(const Polygon& piece, bool by_lanes) {
+    const std::vector<Ring> lanes = by_lanes && !arcs_reach(piece) ? lanes_in(piece) : std::vector<Ring>{};
+    if (lanes.empty()) note_walls(piece, wall_arcs().arcs);
+    append(lanes);
   }
   void append(const std::vector<Ring>& more) { pieces_.insert(pieces_.end(), more.begin(), more.end()); }
 

@@ -419,7 +419,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
         pockets.polygons.push_back(std::move(part));
     }
     if (lost.empty()) {
-      Problem beside = component.restricted(std::move(space));
+      Problem beside = component.restricted(std::move(space), Problem::Transit::shared);
       const Region& driven = beside.configuration_space();
       Region doubtful = strips.doubtful(component.walls(), beside.walls());
       if (!doubtful.empty()) doubtful = intersect(left_out, doubtful);

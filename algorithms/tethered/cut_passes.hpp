@@ -24,7 +24,7 @@ Problem with_coarser_space(const Problem& problem);
 
 /// The space for a planner that covers everything within half a tool width of its space.
 struct PassSpace {
-  Problem problem;  // its space is connected
+  Problem problem;  // its space is connected; its shortest paths are those of the component
   Region pockets;   // what such a planner leaves uncovered
 };
 

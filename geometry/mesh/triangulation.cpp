@@ -6,6 +6,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/cgal_guard.hpp"
@@ -47,6 +48,8 @@ class Triangulator {
   }
 
  private:
+  static constexpr std::size_t kWorthIndex = 32;
+
   void insert() {
     std::vector<std::pair<Kernel::Point_2, Number>> input;
     input.reserve(outline_.points.size());
@@ -75,18 +78,24 @@ class Triangulator {
   /// component is inside if the centroid of its largest face is. (Not by counting the constraints crossed: that fails
   /// where edges overlap in part.)
   std::vector<Face> free_faces() {
-    const EdgeIndex index(region_);
     for (const Face f : cdt_.all_face_handles()) f->info() = Number::kNone;
-    std::vector<bool> free;  // by component, the number of its faces
+    std::vector<std::optional<Point>> inner;  // by component, the number of its faces
     for (const Face first : cdt_.all_face_handles())
-      if (first->info() == Number::kNone) {
-        const std::optional<Point> inner = number_component(first, static_cast<std::int32_t>(free.size()));
-        free.push_back(inner && index.contains(*inner));
-      }
+      if (first->info() == Number::kNone)
+        inner.push_back(number_component(first, static_cast<std::int32_t>(inner.size())));
+    const std::vector<bool> free = in_region(inner);
     std::vector<Face> faces;
     for (const Face f : cdt_.finite_face_handles())
       if (free[at(f->info())]) faces.push_back(f);
     return faces;
+  }
+  std::vector<bool> in_region(const std::vector<std::optional<Point>>& points) const {
+    std::optional<EdgeIndex> index;  // costs as much as some dozen passes over all edges
+    if (points.size() > kWorthIndex) index.emplace(region_);
+    std::vector<bool> inside;
+    for (const std::optional<Point>& p : points)
+      inside.push_back(p && (index ? index->contains(*p) : contains(region_, *p)));
+    return inside;
   }
   /// Numbers the faces of a component and returns the centroid of the largest; nullopt for the unbounded one.
   std::optional<Point> number_component(Face first, std::int32_t number) {

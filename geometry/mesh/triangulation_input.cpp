@@ -1,6 +1,8 @@
 #include "geometry/mesh/triangulation_input.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 
 #include "base/sorting.hpp"
 #include "base/throw_invalid.hpp"
@@ -19,8 +21,14 @@ Segment segment(Id a, Id b) { return std::minmax(a, b); }
 class PointNumbers {
  public:
   explicit PointNumbers(const std::vector<Point>& points) {
+    numbered_.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) numbered_.push_back({points[i], static_cast<Id>(i)});
-    std::sort(numbered_.begin(), numbered_.end());
+    const Box box = bounding_box(points);
+    const double per_metre = std::min(0x1p53 / box.size().x(), 1e300);
+    const auto key = [&](const Numbered& n) {
+      return static_cast<std::uint64_t>((n.at.x() - box.low.x()) * per_metre);
+    };
+    spread_sort(numbered_, key, std::less<>());
   }
   static constexpr Id kUnknown = -1;
   Id find(const Point& p) const {
@@ -58,8 +66,9 @@ std::vector<Id> number_points(const std::vector<Point>& all, std::vector<Point>&
   return id;
 }
 
+/// Sorted.
 void keep_those_of_odd_number(std::vector<Segment>& edges) {
-  std::sort(edges.begin(), edges.end());
+  if (!std::is_sorted(edges.begin(), edges.end())) std::sort(edges.begin(), edges.end());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i;
@@ -79,11 +88,15 @@ TriangulationInput triangulation_input(const Region& region) {
   const std::vector<Id> id = number_points(all, out.points);
   std::size_t first = 0;
   for_each_ring(region, [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Id a = id[first + i], b = id[first + (i + 1 < ring.size() ? i + 1 : 0)];
-      if (a != b) out.edges.push_back(segment(a, b));
+    const std::size_t n = ring.size();
+    const auto add = [&](std::size_t i, std::size_t j) {
+      if (id[first + i] != id[first + j]) out.edges.push_back(segment(id[first + i], id[first + j]));
+    };
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      add(i, i + 1);
+      if (i == 0) add(0, n - 1);  // in sorted order, unless points are repeated
     }
-    first += ring.size();
+    first += n;
   });
   keep_those_of_odd_number(out.edges);
   return out;

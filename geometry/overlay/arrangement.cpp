@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "geometry/overlay/close_pairs.hpp"
@@ -26,19 +27,28 @@ struct Cut {
   friend bool operator==(const Cut&, const Cut&) = default;
 };
 
+/// The greater of an edge's extents in x and y.
+std::int32_t wide(const OverlayEdge& e) { return std::max(e.b.x - e.a.x, std::abs(e.b.y - e.a.y)); }
+
 bool edge_order(const OverlayEdge& e, const OverlayEdge& f) { return e.a != f.a ? e.a < f.a : e.b < f.b; }
 
-/// Does the edge ab bend to p, which lies off its line by `twice_area` of the triangle abp? It does if p is within half
-/// a quantum, measured vertically for flat edges and horizontally for steep ones.
-bool bends_to(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p, std::int64_t area) {
-  if (p == a || p == b) return false;
-  const LatticePoint d = b - a;
-  if (2 * std::abs(area) > std::max(std::abs(d.x), std::abs(d.y))) return false;
-  const std::int64_t along = dot(d, p - a);
+/// Does the edge bend to p, which lies off its line by `twice_area` of the triangle? It does if p is within half a
+/// quantum, measured vertically for flat edges and horizontally for steep ones. Few points pass the first line.
+bool bends_to(const OverlayEdge& e, const LatticePoint& p, std::int64_t area) {
+  if (2 * std::abs(area) > wide(e)) return false;
+  const LatticePoint d = e.b - e.a;
+  const std::int64_t along = dot(d, p - e.a);
   return along > 0 && along < dot(d, d);
 }
 
 bool opposite_signs(std::int64_t s, std::int64_t t) { return (s < 0 && t > 0) || (s > 0 && t < 0); }
+
+/// Do the edges have a common end, and are they so far from parallel that neither bends to the other's far end? So do
+/// most that come near each other: neighbours along a ring.
+bool meet_at_an_end_only(const OverlayEdge& e, const OverlayEdge& f) {
+  if (e.b != f.a && e.a != f.a && e.b != f.b && e.a != f.b) return false;
+  return 2 * std::abs(cross(e.b - e.a, f.b - f.a)) > std::max(wide(e), wide(f));
+}
 
 /// The points at which two edges have to be split because of each other.
 void add_cuts(const Edges& edges, std::uint32_t i, std::uint32_t j, std::vector<Cut>& cuts) {
@@ -46,10 +56,10 @@ void add_cuts(const Edges& edges, std::uint32_t i, std::uint32_t j, std::vector<
   const std::int64_t ea = twice_area(f.a, f.b, e.a), eb = twice_area(f.a, f.b, e.b);
   const std::int64_t fa = twice_area(e.a, e.b, f.a), fb = twice_area(e.a, e.b, f.b);
   const std::size_t before = cuts.size();
-  if (bends_to(e.a, e.b, f.a, fa)) cuts.push_back({i, f.a});
-  if (bends_to(e.a, e.b, f.b, fb)) cuts.push_back({i, f.b});
-  if (bends_to(f.a, f.b, e.a, ea)) cuts.push_back({j, e.a});
-  if (bends_to(f.a, f.b, e.b, eb)) cuts.push_back({j, e.b});
+  if (bends_to(e, f.a, fa)) cuts.push_back({i, f.a});
+  if (bends_to(e, f.b, fb)) cuts.push_back({i, f.b});
+  if (bends_to(f, e.a, ea)) cuts.push_back({j, e.a});
+  if (bends_to(f, e.b, eb)) cuts.push_back({j, e.b});
   if (cuts.size() != before) return;  // if the parts still cross, they do so in the next round
   if (!opposite_signs(ea, eb) || !opposite_signs(fa, fb)) return;
   const double t = static_cast<double>(ea) / (static_cast<double>(ea) - static_cast<double>(eb));
@@ -93,16 +103,42 @@ void merge(const Edges& resolved, Edges& unresolved, Pieces& out) {
   drop_weightless();
 }
 
+/// The edges within a quantum of the bounding box of those that are not resolved.
+std::vector<std::uint32_t> near_unresolved(const Pieces& pieces) {
+  const Edges& edges = pieces.edges;
+  LatticePoint low{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
+  LatticePoint high{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (pieces.unresolved[i] == 0) continue;
+    const OverlayEdge& e = edges[i];
+    low = {std::min(low.x, e.a.x), std::min({low.y, e.a.y, e.b.y})};
+    high = {std::max(high.x, e.b.x), std::max({high.y, e.a.y, e.b.y})};
+  }
+  std::vector<std::uint32_t> near;
+  if (low.x > high.x) return near;
+  for (std::size_t i = 0; i < edges.size() && edges[i].a.x - 1 <= high.x; ++i) {
+    const OverlayEdge& e = edges[i];
+    if (e.b.x + 1 >= low.x && std::min(e.a.y, e.b.y) - 1 <= high.y && std::max(e.a.y, e.b.y) + 1 >= low.y)
+      near.push_back(static_cast<std::uint32_t>(i));
+  }
+  return near;
+}
+
 /// Sorted by edge, then point; no repeats.
 std::vector<Cut> find_cuts(const Pieces& pieces) {
-  const auto segment = [&](std::size_t i) {
+  const bool all = pieces.unresolved.empty();
+  const std::vector<std::uint32_t> near = all ? std::vector<std::uint32_t>{} : near_unresolved(pieces);
+  const auto segment = [&](std::size_t k) {
+    const std::uint32_t i = all ? static_cast<std::uint32_t>(k) : near[k];
     const OverlayEdge& e = pieces.edges[i];
-    return SegmentPart{double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), static_cast<std::uint32_t>(i)};
+    return SegmentPart{double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), i};
   };
   std::vector<Cut> cuts;
-  for_close_pairs(pieces.edges.size(), segment, 1.0, pieces.unresolved, [&](std::uint32_t i, std::uint32_t j) {
-    add_cuts(pieces.edges, std::min(i, j), std::max(i, j), cuts);
-  });
+  for_close_pairs(all ? pieces.edges.size() : near.size(), segment, 1.0, pieces.unresolved,
+                  [&](std::uint32_t i, std::uint32_t j) {
+                    if (!meet_at_an_end_only(pieces.edges[i], pieces.edges[j]))
+                      add_cuts(pieces.edges, std::min(i, j), std::max(i, j), cuts);
+                  });
   spread_sort(
       cuts, [](const Cut& c) { return std::uint64_t{c.edge}; },
       [](const Cut& c, const Cut& d) { return c.edge != d.edge ? c.edge < d.edge : c.at < d.at; });
@@ -180,7 +216,7 @@ class WindingNumbers {
       const HalfEdge first = fans_.at(root).front();
       const OverlayEdge& edge = edges_[first.edge()];
       const std::uint32_t e = below.below(first.is_forward() ? edge.a : edge.b);
-      walk_around(root, 0, e == EdgeBelow::kNone ? Windings{} : left_[e]);
+      walk_around(root, first_from_below(root), e == EdgeBelow::kNone ? Windings{} : left_[e]);
       while (!open_.empty()) {
         const HalfEdge h = open_.back();
         open_.pop_back();
@@ -191,6 +227,14 @@ class WindingNumbers {
   }
 
  private:
+  /// The position of the half-edge just counter-clockwise of straight down at a component's first vertex: all lead to
+  /// the right or straight up.
+  std::size_t first_from_below(std::uint32_t root) const {
+    const auto fan = fans_.at(root);
+    if (fan.size() != 2) return 0;
+    const OverlayEdge &e = edges_[fan[0].edge()], &f = edges_[fan[1].edge()];
+    return twice_area(e.a, e.b, f.b) < 0 ? 1 : 0;
+  }
   /// All about a vertex; `before` are the winding numbers just clockwise of the half-edge at `position`.
   void walk_around(std::uint32_t vertex, std::size_t position, Windings before) {
     reached_[vertex] = 1;

@@ -33,7 +33,7 @@ class HalfEdge {
 };
 
 /// Vertices are numbered in the order of their lattice points. At each, the half-edges that leave it are sorted
-/// counter-clockwise, beginning just after straight down.
+/// counter-clockwise, beginning just after straight down; where there are two, most of all, they begin with either.
 class VertexFans {
  public:
   /// ends(e): the two ends of edge e, of n. Edges must be in the order of their lower ends (by x, then y). O(n) for
@@ -52,13 +52,9 @@ class VertexFans {
       if (p_after != q_after) return p_after;
       return twice_area(v, p, q) > 0;
     };
-    for (std::size_t v = 0; v < vertices(); ++v) {
-      HalfEdge* const fan = half_edges_.data() + first_[v];
+    for (std::size_t v = 0; v < vertices(); ++v)
       if (first_[v + 1] - first_[v] > 2)
-        std::sort(fan, half_edges_.data() + first_[v + 1], by_angle);
-      else if (first_[v + 1] - first_[v] == 2 && by_angle(fan[1], fan[0]))  // most are of this kind
-        std::swap(fan[0], fan[1]);
-    }
+        std::sort(half_edges_.data() + first_[v], half_edges_.data() + first_[v + 1], by_angle);
   }
 
   std::size_t vertices() const { return first_.size() - 1; }

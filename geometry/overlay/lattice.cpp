@@ -18,8 +18,9 @@ Lattice::Lattice(const Box& box) {
   if (far > 0) std::frexp(far, &far_bits);
   // Far from the origin the lattice is no finer than the doubles there, so that point() is exact.
   quantum_ = std::ldexp(1.0, std::max({extent_bits - kBits, far_bits - kMantissaBits, kLeastExponent}));
-  x_ = std::floor(box.centre().x() / quantum_ + 0.5);
-  y_ = std::floor(box.centre().y() / quantum_ + 0.5);
+  per_metre_ = 1 / quantum_;
+  x_ = std::floor(box.centre().x() * per_metre_ + 0.5);
+  y_ = std::floor(box.centre().y() * per_metre_ + 0.5);
 }
 
 void for_each_snapped_ring(const Region& region, const Lattice& lattice,

@@ -35,7 +35,11 @@ inline std::int64_t twice_area(const LatticePoint& a, const LatticePoint& b, con
 }
 /// The nearest lattice point; coordinates in quanta.
 inline LatticePoint rounded(double x, double y) {
-  return {static_cast<std::int32_t>(std::floor(x + 0.5)), static_cast<std::int32_t>(std::floor(y + 0.5))};
+  const auto nearest = [](double v) {  // as std::floor(v + 0.5), which is a call
+    const auto towards_zero = static_cast<std::int32_t>(v + 0.5);
+    return towards_zero - (v + 0.5 < towards_zero ? 1 : 0);
+  };
+  return {nearest(x), nearest(y)};
 }
 /// Both coordinates in one number whose order is that of the points.
 inline std::uint64_t sort_key(const LatticePoint& p) {
@@ -48,13 +52,14 @@ inline std::uint64_t sort_key(const LatticePoint& p) {
 class Lattice {
  public:
   explicit Lattice(const Box& box);
-  LatticePoint snap(const Point& p) const { return rounded(p.x() / quantum_ - x_, p.y() / quantum_ - y_); }
+  LatticePoint snap(const Point& p) const { return rounded(p.x() * per_metre_ - x_, p.y() * per_metre_ - y_); }
   Point point(const LatticePoint& p) const { return {(x_ + p.x) * quantum_, (y_ + p.y) * quantum_}; }
   /// Metres.
   double quantum() const { return quantum_; }
 
  private:
-  double quantum_ = 1, x_ = 0, y_ = 0;  // the origin in quanta
+  double quantum_ = 1, per_metre_ = 1;  // powers of two: to multiply by one is exact, as to divide by the other is
+  double x_ = 0, y_ = 0;                // the origin in quanta
 };
 
 enum class RingKind { outer, hole };

@@ -1,12 +1,14 @@
-// The parts of an overlay against brute force: spread_sort, close pairs, the edge below a point.
+// The parts of an overlay against brute force: spread_sort, close pairs, splitting edges, the edge below a point.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
 #include "base/random.hpp"
 #include "base/sorting.hpp"
+#include "geometry/overlay/arrangement.hpp"
 #include "geometry/overlay/close_pairs.hpp"
 #include "geometry/overlay/edge_below.hpp"
 #include "tests/support/seeds.hpp"
@@ -84,6 +86,36 @@ TEST(ClosePairs, NoPairWithinTheSlackIsMissing) {
     EXPECT_LE(wanted, found.size());
     for (const auto& [i, j] : found) EXPECT_TRUE(active[i] != 0 || active[j] != 0);
   }
+}
+
+TEST(Arrangement, NoVertexLiesWithinHalfAQuantumOfAnEdge) {
+  int close = 0;
+  for (const auto seed : seeds(400)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    // Triangles so flat that their sides bend to each other's ends, and others across them.
+    std::vector<OverlayEdge> edges;
+    const auto point = [&](int far) { return LatticePoint{rng.between(-far, far), rng.between(-far, far)}; };
+    const int triangles = rng.between(1, 4), far = rng.chance(0.5) ? 30 : 3000;
+    for (int k = 0; k < triangles; ++k) {
+      const LatticePoint p = point(far), q = point(far);
+      const double t = rng.between(-0.5, 1.5);
+      const LatticePoint r = rounded(p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)) + point(2);
+      std::array corners{p, q, r};
+      std::rotate(corners.begin(), corners.begin() + rng.between(0, 2), corners.end());
+      close += std::abs(twice_area(p, q, r)) <= far;
+      add_ring(edges, {corners.begin(), corners.end()}, {twice_area(p, q, r) > 0 ? 1 : -1, 0});
+    }
+    const std::vector<BoundaryEdge> boundary = boundary_of(edges, inside_first);
+    for (const BoundaryEdge& e : boundary)
+      for (const BoundaryEdge& f : boundary) {
+        const LatticePoint d = e.to - e.from, &v = f.from;
+        const std::int64_t along = dot(d, v - e.from), wide = std::max(std::abs(d.x), std::abs(d.y));
+        if (along <= 0 || along >= dot(d, d)) continue;
+        EXPECT_GT(2 * std::abs(twice_area(e.from, e.to, v)), wide) << v.x << " " << v.y;
+      }
+  }
+  EXPECT_GT(close, 100);
 }
 
 TEST(EdgeBelow, IsTheHighestOfTheEdgesBelow) {

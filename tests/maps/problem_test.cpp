@@ -329,6 +329,18 @@ TEST(Problem, RestrictedHasLessRoomAndTheSameTarget) {
               HasSubstr("does not hold the start (5, 5)"));
 }
 
+TEST(Problem, RestrictedMayShareShortestPaths) {
+  const Problem p(square(10), disc(0.5, 1), Point(5, 5));
+  const Problem small = p.restricted(box_region({4, 4}, {6, 6}), Problem::Transit::shared);
+  EXPECT_FALSE(small.walls().contains(Point(2, 2)));
+  EXPECT_TRUE(small.transit().path({5, 5}, {2, 2}).has_value());
+  EXPECT_EQ(&small.transit(), &p.transit());
+  const Problem smaller = small.restricted(box_region({4.5, 4.5}, {5.5, 5.5}), Problem::Transit::shared);
+  EXPECT_EQ(&smaller.transit(), &p.transit());
+  EXPECT_NE(&small.restricted(small.configuration_space()).transit(), &p.transit());
+  EXPECT_EQ(&small.turning_on_the_spot().transit(), &p.transit());
+}
+
 TEST(Problem, HashDependsOnWhatDeterminesThePlan) {
   const auto hash = [](Map map, Robot robot, Point start) {
     return Problem(std::move(map), robot, start).content_hash();
