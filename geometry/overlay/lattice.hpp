@@ -35,11 +35,11 @@ inline std::int64_t twice_area(const LatticePoint& a, const LatticePoint& b, con
 }
 /// The nearest lattice point; coordinates in quanta.
 inline LatticePoint rounded(double x, double y) {
-  const auto nearest = [](double v) {  // as std::floor(v + 0.5), which is a call
-    const auto towards_zero = static_cast<std::int32_t>(v + 0.5);
-    return towards_zero - (v + 0.5 < towards_zero ? 1 : 0);
+  const auto floor = [](double v) {  // std::floor is a call
+    const auto towards_zero = static_cast<std::int32_t>(v);
+    return towards_zero - (v < towards_zero ? 1 : 0);
   };
-  return {nearest(x), nearest(y)};
+  return {floor(x + 0.5), floor(y + 0.5)};
 }
 /// Both coordinates in one number whose order is that of the points.
 inline std::uint64_t sort_key(const LatticePoint& p) {
