@@ -114,11 +114,12 @@ std::vector<std::uint32_t> near_unresolved(const Pieces& pieces) {
     low = {std::min(low.x, e.a.x), std::min({low.y, e.a.y, e.b.y})};
     high = {std::max(high.x, e.b.x), std::max({high.y, e.a.y, e.b.y})};
   }
+  low = low - LatticePoint{1, 1};
+  high = high + LatticePoint{1, 1};
   std::vector<std::uint32_t> near;
-  if (low.x > high.x) return near;
-  for (std::size_t i = 0; i < edges.size() && edges[i].a.x - 1 <= high.x; ++i) {
+  for (std::size_t i = 0; i < edges.size() && edges[i].a.x <= high.x; ++i) {
     const OverlayEdge& e = edges[i];
-    if (e.b.x + 1 >= low.x && std::min(e.a.y, e.b.y) - 1 <= high.y && std::max(e.a.y, e.b.y) + 1 >= low.y)
+    if (e.b.x >= low.x && std::min(e.a.y, e.b.y) <= high.y && std::max(e.a.y, e.b.y) >= low.y)
       near.push_back(static_cast<std::uint32_t>(i));
   }
   return near;
@@ -213,9 +214,7 @@ class WindingNumbers {
     FewEdgesBelow below(edges_.size(), [this](std::uint32_t e) { return std::pair(edges_[e].a, edges_[e].b); });
     for (std::uint32_t root = 0; root < fans_.vertices(); ++root) {
       if (reached_[root] != 0) continue;
-      const HalfEdge first = fans_.at(root).front();
-      const OverlayEdge& edge = edges_[first.edge()];
-      const std::uint32_t e = below.below(first.is_forward() ? edge.a : edge.b);
+      const std::uint32_t e = below.below(edges_[fans_.at(root).front().edge()].a);
       walk_around(root, first_from_below(root), e == EdgeBelow::kNone ? Windings{} : left_[e]);
       while (!open_.empty()) {
         const HalfEdge h = open_.back();

@@ -16,7 +16,7 @@
 /// Complexity  O((n + k) log n) for n edges that meet k times, usual data; nearly O(n + k) where edges are short and
 ///             spread evenly, because sorting (sorting.hpp), the search for meeting edges (close_pairs.hpp) and
 ///             point location (edge_below.hpp) are then linear. Edges that met nothing in one round are not sorted
-///             again, and only cells with a new edge are searched.
+///             again, and only what lies near new ones is searched.
 #pragma once
 
 #include <array>
