@@ -29,7 +29,8 @@
 #include <iterator>
 
 #include "base/throw_invalid.hpp"
-#include "geometry/tether/swept_triangles.hpp"
+#include "geometry/tether/straightened.hpp"
+#include "geometry/tether/tether_tree.hpp"
 
 namespace oxturn {
 
@@ -78,14 +79,13 @@ Polyline joined(Polyline first, const Polyline& second) {
 
 /// The same as tether.drive(points).
 void drive_together(TautTether& tether, const TautSpace& corners, const Polyline& points) {
-  constexpr std::size_t kAlone = 8;  // points, where the next one is not known to be free of corners
-  for (std::size_t i = 0; i < points.size();) {
-    if (const std::size_t n = SweptTriangles(tether, points, i).without_corners(corners); n > 1) {
-      tether.drive(points[i + n - 1]);
-      i += n;
-      continue;
-    }
-    for (const std::size_t end = std::min(i + kAlone, points.size()); i < end; ++i) tether.drive(points[i]);
+  constexpr std::size_t kAlone = 4;  // points, where none can be skipped
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (const std::size_t skipped = points_to_skip(corners, tether.robot(), points, i); skipped > 0)
+      i += skipped;
+    else
+      for (const std::size_t last = std::min(i + kAlone, points.size()) - 1; i < last; ++i) tether.drive(points[i]);
+    tether.drive(points[i]);
   }
 }
 
@@ -417,14 +417,15 @@ std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction
     best = shortest_back_and_out(world, tether_, trail_, *out);
   const double bound = best ? length(*best) : std::numeric_limits<double>::infinity();
   bool found = false;
+  TetherTree tethers(tether_, world.longest + world.tolerance);
   const bool all = world.paths.for_each_taut_path(
       at(), goal, bound, budget,
       [&](const Polyline& line) {
-        found = admissible(world, tether_, line);
+        found = tethers.stays_within(line);
         if (found) best = line;
         return !found;
       },
-      [&](const Polyline& prefix) { return admissible(world, tether_, prefix); });
+      [&](const Polyline& prefix) { return tethers.stays_within(prefix); });
   if (best) return TetheredPath{std::move(*best), found || all};
   if (all) return std::nullopt;
   if (world.path_out)
