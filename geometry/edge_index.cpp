@@ -107,12 +107,16 @@ void EdgeIndex::try_rings(const Point& p, const Nearest& best, TryEdge try_edge)
     const double gap = r == 0 ? 0 : (r - 1 + margin) * grid_.cell();
     if (std::sqrt(off2 + (gap > 0 ? gap * gap : 0)) > best.distance) return;
     const int bottom = std::max(0, cj - r), top = std::min(grid_.rows() - 1, cj + r);
+    const int left = ci - r, right = ci + r, last = grid_.columns() - 1;
     for (int j = bottom; j <= top; ++j) {
-      const bool whole_row = j == cj - r || j == cj + r;
-      const int step = whole_row || r == 0 ? 1 : 2 * r;
-      for (int i = ci - r; i <= ci + r; i += step) {
-        if (i < 0 || i >= grid_.columns()) continue;
-        for (const std::uint32_t e : grid_.items(grid_.index(i, j))) try_edge(e);
+      const auto try_cells = [&](int from, int to) {
+        for (const std::uint32_t e : grid_.items(from, to, j)) try_edge(e);
+      };
+      if (j == cj - r || j == cj + r) {
+        try_cells(std::max(0, left), std::min(last, right));
+      } else {
+        if (left >= 0) try_cells(left, left);
+        if (right <= last) try_cells(right, right);
       }
     }
   }
@@ -265,11 +269,7 @@ std::optional<EdgeIndex::Contacts> EdgeIndex::contacts(const Point& a, const Poi
     if (sa == 0 && sb == 0) found.along.push_back(index);
     return false;
   };
-  const bool crossed = grid_.visit(std::array{a, b}, 0, [&](std::size_t c) {
-    const auto items = grid_.items(c);
-    return std::ranges::any_of(items, crosses);
-  });
-  if (crossed) return std::nullopt;
+  if (grid_.visit_items(std::array{a, b}, 0, crosses)) return std::nullopt;
   sort_unique(found.touches);
   sort_unique(found.along);
   return found;
@@ -323,11 +323,10 @@ void EdgeIndex::collect(const Box& box, std::vector<std::uint32_t>& out) const {
   if (grid_.empty() || box.empty() || !box.overlaps({grid_.low(), grid_.high()})) return;
   const int i0 = grid_.column(box.low.x()), i1 = grid_.column(box.high.x());
   const int j0 = grid_.row(box.low.y()), j1 = grid_.row(box.high.y());
-  for (int j = j0; j <= j1; ++j)
-    for (int i = i0; i <= i1; ++i) {
-      const auto items = grid_.items(grid_.index(i, j));
-      out.insert(out.end(), items.begin(), items.end());
-    }
+  for (int j = j0; j <= j1; ++j) {
+    const auto items = grid_.items(i0, i1, j);
+    out.insert(out.end(), items.begin(), items.end());
+  }
   sort_unique(out);
 }
 

@@ -3,10 +3,28 @@
 #include <algorithm>
 #include <vector>
 
+#include "geometry/ray_crossing.hpp"
+
 namespace oxturn {
 
 bool nearly_contains(const EdgeIndex& walls, const Point& p, double tolerance) {
   return walls.contains(p) || walls.nearest(p, tolerance).has_value();
+}
+
+bool nearly_contains(const Polygon& polygon, const Point& p, double tolerance) {
+  Box box = bounding_box(polygon.outer);
+  box.grow(tolerance);
+  if (!box.contains(p)) return false;
+  bool odd = false, near = false;
+  const auto add = [&](const Ring& ring) {
+    for_each_edge(ring, [&](const Point& a, const Point& b) {
+      odd ^= crosses_ray(a, b, p);
+      near = near || on_segment(p, a, b) || distance_to_segment(p, a, b) < tolerance;
+    });
+  };
+  add(polygon.outer);
+  std::ranges::for_each(polygon.holes, add);
+  return odd || near;
 }
 
 namespace {

@@ -11,6 +11,8 @@ namespace oxturn {
 
 /// Is p in the closed region or within `tolerance` of its boundary?
 bool nearly_contains(const EdgeIndex& walls, const Point& p, double tolerance);
+/// The same without an index: O(n), for one question about a polygon.
+bool nearly_contains(const Polygon& polygon, const Point& p, double tolerance);
 /// Does no point of the segment ab lie more than `tolerance` outside? Looks at b first, as most that leave end outside.
 bool nearly_contains(const EdgeIndex& walls, const Point& a, const Point& b, double tolerance);
 /// A point of the segment ab that is more than `tolerance` outside; nullopt if there is none. The segment is divided

@@ -1,9 +1,8 @@
 /// A uniform grid of square cells over a box, with the items that meet each cell.
 ///
 ///   const UniformGrid grid(segments.size(), [&](std::size_t i) { return std::array{segments[i].a, segments[i].b}; });
-///   grid.visit(std::array{a, b}, reach, [&](std::size_t cell) {
-///     for (const std::uint32_t i : grid.items(cell)) { /* segment i may come within `reach` */ }
-///     return false;                             // true stops the visit
+///   grid.visit_items(std::array{a, b}, reach, [&](std::uint32_t i) {
+///     return near(segments[i], a, b);           // segment i may come within `reach`; true stops the visit
 ///   });
 ///
 /// The items of all cells lie in one array, cell by cell. Cells are entered with a tolerance of kSlack cells: a query
@@ -54,7 +53,7 @@ class UniformGrid {
       if (corners == 2) total += distance(vertices[0], vertices[1]);
     }
     *this = UniformGrid(box, n, total);
-    fill(n, [&](std::size_t i, auto enter) { visit_some(shape(i), 0, 1, enter); });
+    fill(n, [&](std::size_t i, auto enter) { visit_cells(shape(i), 0, 1, enter); });
   }
 
   /// Puts item i into every cell c for which visit_item(i, enter) calls enter(c). Calls it twice for each item: first
@@ -94,12 +93,26 @@ class UniformGrid {
   std::span<const std::uint32_t> items(std::size_t cell) const {
     return {items_.data() + first_[cell], items_.data() + first_[cell + 1]};
   }
+  /// Those in columns `from` to `to` of a row, cell by cell.
+  std::span<const std::uint32_t> items(int from, int to, int row) const {
+    return {items_.data() + first_[index(from, row)], items_.data() + first_[index(to, row) + 1]};
+  }
 
-  /// Calls f(cell), row by row, for every cell within `pad` of a point, a segment or a convex polygon, given by its
-  /// vertices, and for some cells farther away. Stops when f returns true, and returns whether it did.
+  /// Calls f(item), row by row, for the items in every cell within `pad` of a point, a segment or a convex polygon,
+  /// given by its vertices, and for those in some cells farther away; repeatedly for those in several cells. Stops when
+  /// f returns true, and returns whether it did.
+  template <class F>
+  bool visit_items(std::span<const Point> vertices, double pad, F f) const {
+    return visit_rows(vertices, pad, kFewCells, [&](int from, int to, int row) {
+      for (const std::uint32_t item : items(from, to, row))
+        if (f(item)) return true;
+      return false;
+    });
+  }
+  /// The same for f(cell).
   template <class F>
   bool visit(std::span<const Point> vertices, double pad, F f) const {
-    return visit_some(vertices, pad, kFewCells, f);
+    return visit_cells(vertices, pad, kFewCells, f);
   }
 
  private:
@@ -108,10 +121,18 @@ class UniformGrid {
   static constexpr int kFewCells = 16;            // to choose those near a shape costs more than to look into all
   static int clamped(double v, int n) { return v > 0 ? static_cast<int>(std::min(v, static_cast<double>(n - 1))) : 0; }
 
-  /// As visit(). Cells that are farther away than slightly are visited only where the shape's bounding box meets `few`
-  /// cells at most.
   template <class F>
-  bool visit_some(std::span<const Point> vertices, double pad, int few, F f) const {
+  bool visit_cells(std::span<const Point> vertices, double pad, int few, F f) const {
+    return visit_rows(vertices, pad, few, [&](int from, int to, int row) {
+      for (int i = from; i <= to; ++i)
+        if (f(index(i, row))) return true;
+      return false;
+    });
+  }
+  /// Calls f(first column, last column, row) as visit() its f. Cells that are farther away than slightly are visited
+  /// only where the shape's bounding box meets `few` cells at most.
+  template <class F>
+  bool visit_rows(std::span<const Point> vertices, double pad, int few, F f) const {
     if (empty()) return false;
     std::array<Point, kFewVertices> buffer;
     std::vector<Point> longer(vertices.size() > kFewVertices ? vertices.size() : 0);
@@ -131,8 +152,7 @@ class UniformGrid {
     const bool all = end - first < few && high - low < few && (end - first + 1) * (high - low + 1) <= few;
     for (int j = low; j <= high; ++j) {
       const auto [from, to] = all ? std::pair(first, end) : columns_near(shape, j, reach);
-      for (int i = from; i <= to; ++i)
-        if (f(index(i, j))) return true;
+      if (from <= to && f(from, to, j)) return true;
     }
     return false;
   }

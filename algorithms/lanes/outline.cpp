@@ -15,6 +15,7 @@
 #include "geometry/coarse_arcs.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
+#include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
 namespace {
@@ -30,70 +31,32 @@ constexpr double kCoarsening = 1.0 / 100;  // of the robot's radius: laps may ke
 
 using Rings = std::vector<const Ring*>;
 
-/// Ring edges in a uniform grid with cells about as large as `reach`.
+/// The edges of rings in a grid.
 class RingGrid {
  public:
   struct Item {
+    Point a, b;
     std::uint32_t ring, edge;
   };
   /// Without the rings for which `skip` is set.
-  RingGrid(const Rings& rings, const std::vector<bool>& skip, double reach) {
-    std::size_t n = 0;
-    for (std::size_t r = 0; r < rings.size(); ++r)
-      if (!skip[r]) {
-        n += rings[r]->size();
-        for (const Point& p : *rings[r]) box_.add(p);
-      }
-    if (n == 0) return;
-    const Point size = box_.size();
-    constexpr double kMostCells = 4000;  // per side
-    cell_ = std::max({reach, std::sqrt(size.x() * size.y() / (4.0 * static_cast<double>(n) + 64)),
-                      std::max(size.x(), size.y()) / kMostCells, 1e-12});
-    columns_ = static_cast<int>(size.x() / cell_) + 1;
-    rows_ = static_cast<int>(size.y() / cell_) + 1;
-    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-    for (std::size_t r = 0; r < rings.size(); ++r)
-      for (std::size_t e = 0; !skip[r] && e < rings[r]->size(); ++e)
-        add((*rings[r])[e], (*rings[r])[(e + 1) % rings[r]->size()],
-            {static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(e)});
+  RingGrid(const Rings& rings, const std::vector<bool>& skip) {
+    for (std::uint32_t r = 0; r < rings.size(); ++r)
+      for (std::uint32_t e = 0, n = static_cast<std::uint32_t>(rings[r]->size()); !skip[r] && e < n; ++e)
+        items_.push_back({(*rings[r])[e], (*rings[r])[e + 1 < n ? e + 1 : 0], r, e});
+    grid_ = UniformGrid(items_.size(), [&](std::size_t i) { return std::array{items_[i].a, items_[i].b}; });
   }
-  /// Calls f for every edge in the cells that the box grown by `reach` meets; an edge may be repeated.
+  /// Calls f for every edge within `reach` of the segment ab, and for some others; an edge may be repeated.
   template <class F>
-  void near(Box box, double reach, F f) const {
-    box.grow(reach);
-    if (cells_.empty() || !box.overlaps(box_)) return;
-    for (int j = row(box.low.y()); j <= row(box.high.y()); ++j)
-      for (int i = column(box.low.x()); i <= column(box.high.x()); ++i)
-        for (const Item& item : cells_[index(i, j)]) f(item);
+  void near(const Point& a, const Point& b, double reach, F f) const {
+    grid_.visit_items(std::array{a, b}, reach, [&](std::uint32_t i) {
+      f(items_[i]);
+      return false;
+    });
   }
 
  private:
-  /// Row by row, only the columns that the edge ab passes there.
-  void add(const Point& a, const Point& b, const Item& item) {
-    const double slack = 1e-6 * cell_;  // for rounding
-    const int j0 = std::min(row(a.y()), row(b.y())), j1 = std::max(row(a.y()), row(b.y()));
-    for (int j = j0; j <= j1; ++j) {
-      double x0 = a.x(), x1 = b.x();
-      if (j0 != j1) {
-        const auto x_at = [&](double y) {
-          return a.x() + std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) * (b.x() - a.x());
-        };
-        x0 = x_at(box_.low.y() + j * cell_);
-        x1 = x_at(box_.low.y() + (j + 1) * cell_);
-      }
-      const auto [low, high] = std::minmax(x0, x1);
-      for (int i = column(low - slack); i <= column(high + slack); ++i) cells_[index(i, j)].push_back(item);
-    }
-  }
-  int column(double x) const { return static_cast<int>(std::clamp((x - box_.low.x()) / cell_, 0.0, columns_ - 1.0)); }
-  int row(double y) const { return static_cast<int>(std::clamp((y - box_.low.y()) / cell_, 0.0, rows_ - 1.0)); }
-  std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
-  }
-  Box box_;
-  double cell_ = 1;
-  int columns_ = 0, rows_ = 0;
-  std::vector<std::vector<Item>> cells_;
+  std::vector<Item> items_;
+  UniformGrid grid_;
 };
 
 /// A lower bound of the distance of two segments, from their bounding boxes; less than that by more than rounding.
@@ -179,7 +142,7 @@ class RingTree {
   };
 
   void attach_within(double reach) {
-    const RingGrid grid(rings_, attached_, reach);
+    const RingGrid grid(rings_, attached_);
     least_.assign(rings_.size(), kInfinity);
     for (std::size_t i = 0; i + 1 < path_.size(); ++i) search(of_path(i), grid, reach);
     for (const Source& s : sources_) search(s, grid, reach);
@@ -276,12 +239,9 @@ class RingTree {
     for (std::size_t k = 0; k < pieces; ++k) {
       const Point a = lerp(source.a, source.b, static_cast<double>(k) / n),
                   b = lerp(source.a, source.b, static_cast<double>(k + 1) / n);
-      grid.near(Box{a.cwiseMin(b), a.cwiseMax(b)}, reach, [&](const RingGrid::Item& item) {
-        if (attached_[item.ring]) return;
-        const Ring& ring = *rings_[item.ring];
-        const Point &c = ring[item.edge], &d = ring[item.edge + 1 == ring.size() ? 0 : item.edge + 1];
-        if (box_gap(a, b, c, d) > std::min(reach, least_[item.ring])) return;
-        const Approach m = nearest_approach(a, b, c, d);
+      grid.near(a, b, reach, [&](const RingGrid::Item& item) {
+        if (attached_[item.ring] || box_gap(a, b, item.a, item.b) > std::min(reach, least_[item.ring])) return;
+        const Approach m = nearest_approach(a, b, item.a, item.b);
         if (m.distance > reach || m.distance >= least_[item.ring]) return;
         const Offer offer{
             item.ring,

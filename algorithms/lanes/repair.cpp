@@ -167,31 +167,45 @@ class Repair {
   /// Is the piece a band along walls, which arcs of the boundary cover but for what a next round does?
   bool lies_along_walls(const Polygon& piece) const {
     return 2 * area(piece) <= kBeside * width_ * perimeter({{piece}}) &&
-           all_around(piece, [&](const Point& p) { return walls_.nearest(p, kBeside * width_).has_value(); });
+           all_beside_walls(piece, kBeside * width_, [](const Point&) { return false; });
   }
   /// Does what lanes or arcs have left lie outside of configuration space, or beside its wall?
   bool arcs_reach(const Polygon& piece) const {
-    return all_around(
-        piece, [&](const Point& p) { return walls_.nearest(p, kReach * width_).has_value() || !walls_.contains(p); });
+    return all_beside_walls(piece, kReach * width_, [this](const Point& p) { return !walls_.contains(p); });
+  }
+  /// Are all points of the piece's boundary nearer to a wall than `within`, or else what `other` says?
+  template <class Other>
+  bool all_beside_walls(const Polygon& piece, double within, Other other) const {
+    bool all = true;
+    for_each_ring(Region{{piece}}, [&](const Ring& ring) {
+      double known = 0;  // metres further on which that is certain: the point before is so much nearer
+      for_each_sample(ring, [&](const Point& p, double step) {
+        if (!all || known > 0) return void(known -= step);
+        const auto wall = walls_.nearest(p, within);
+        all = wall || other(p);
+        known = (wall ? within - wall->distance : 0) - step;
+      });
+    });
+    return all;
   }
   /// Do arcs of the boundary cover some of the piece?
   bool is_beside_walls(const Polygon& piece) const {
-    return !all_around(piece, [&](const Point& p) { return !walls_.nearest(p, kReach * width_).has_value(); });
-  }
-  template <class Holds>
-  bool all_around(const Polygon& piece, Holds holds) const {
-    bool all = true;
-    for_each_sample(piece, [&](const Point& p) { all = all && holds(p); });
-    return all;
+    bool any = false;
+    for_each_sample(piece, [&](const Point& p) { any = any || walls_.nearest(p, kReach * width_).has_value(); });
+    return any;
   }
   /// Points of the piece's boundary.
   template <class F>
   void for_each_sample(const Polygon& piece, F f) const {
-    for_each_ring(Region{{piece}}, [&](const Ring& ring) {
-      for_each_edge(ring, [&](const Point& a, const Point& b) {
-        const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
-        for (double k = 0; k < steps; ++k) f(lerp(a, b, k / steps));
-      });
+    for_each_ring(Region{{piece}},
+                  [&](const Ring& ring) { for_each_sample(ring, [&](const Point& p, double) { f(p); }); });
+  }
+  /// Calls f(point, metres to the next one).
+  template <class F>
+  void for_each_sample(const Ring& ring, F f) const {
+    for_each_edge(ring, [&](const Point& a, const Point& b) {
+      const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_))), step = distance(a, b) / steps;
+      for (double k = 0; k < steps; ++k) f(lerp(a, b, k / steps), step);
     });
   }
 

@@ -96,6 +96,7 @@ class BergDrive {
 
   const Point& at() const { return tethered_ ? tethered_->at() : shortest_.at(); }
   const Path& path() const { return tethered_ ? tethered_->path() : shortest_.path(); }
+  Path take() { return tethered_ ? tethered_->take() : shortest_.take(); }
   std::size_t missed() const { return missed_; }  // points that the tether does not let the robot reach
 
   void go(const Point& to) {
@@ -139,7 +140,7 @@ class PieceDrive {
   Path run(Order order) {
     order == Order::bfs ? drive_laps() : drive_regions(order);
     context_.record("samples_missed", static_cast<double>(drive_.missed()));
-    return drive_.path();
+    return drive_.take();
   }
 
  private:

@@ -54,7 +54,26 @@ HiddenSide hidden_side(const Point& eye, const BergSight::Corner& c) {
   return HiddenSide::none;
 }
 
+/// Is p surely beyond an edge of the star-shaped polygon that the eye sees? Those of its edges that do not meet the eye
+/// are parts of walls, but for rounding.
+bool is_behind(const Ring& view, const Point& eye, const Point& p, double tolerance) {
+  const Point d = p - eye;
+  const double off = tolerance * d.norm();
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    const Point &a = view[i], &b = view[i + 1 < view.size() ? i + 1 : 0];
+    if (!(cross(a - eye, d) > off && cross(d, b - eye) > off && cross(a - eye, b - eye) > 0)) continue;
+    return cross(b - a, p - a) < -tolerance * (b - a).norm();
+  }
+  return false;
+}
+
 }  // namespace
+
+/// What a node sees: a polygon, and its vertices sorted.
+struct BergBoundary::View {
+  Ring polygon, vertices;
+  explicit View(Ring seen) : polygon(std::move(seen)), vertices(polygon) { std::ranges::sort(vertices, before); }
+};
 
 /// Dijkstra's search over corners: each corner is looked at by the node that reaches it with the least tether.
 class BergBoundary::NodeSearch {
@@ -93,10 +112,9 @@ class BergBoundary::NodeSearch {
   /// Looks at all corners in sight and in the node's sector.
   void look_round(std::size_t index) {
     BergNode& node = b_.nodes_[index];
-    Ring seen = view_of(node);
-    b_.find_reach(node, seen);
-    node.range = SightRange(node.at, node.begin, node.width, seen, b_.tolerance_);
-    std::ranges::sort(seen, before);
+    const View view(polygon_seen_by(node));
+    b_.find_reach(node, view.polygon);
+    node.range = SightRange(node.at, node.begin, node.width, view.polygon, b_.tolerance_);
     candidates_ = corners_at_.back();
     for (const std::int32_t point : near_) {
       const auto& here = corners_at_[static_cast<std::size_t>(point)];
@@ -109,15 +127,15 @@ class BergBoundary::NodeSearch {
       const double length = node.before + distance(node.at, corner.at);
       // Of two paths that differ by rounding alone the straighter one, which was found first, stays.
       if (length > longest_ || length >= looks_[k].length - b_.tolerance_ * 1e-3) continue;
-      if (!b_.in_sector(node, corner.at) || !b_.sees_corner(node.at, corner, seen)) continue;
+      if (!b_.in_sector(node, corner.at) || !b_.sees_corner(node.at, corner, view)) continue;
       looks_[k] = {length, index};
       open_.push({length, k});
     }
-    b_.add_dividers(index, candidates_, seen, longest_);
+    b_.add_dividers(index, candidates_, view, longest_);
   }
 
   /// What the node sees in its sector and a little beside it: more than rounding can add to the sector.
-  Ring view_of(const BergNode& node) {
+  Ring polygon_seen_by(const BergNode& node) {
     constexpr double kBeside = 0.05, kWidest = 3;  // radians
     if (node.width + 2 * kBeside > kWidest) return visibility_.from(node.at, b_.tolerance_, &near_);
     const double size = distance(node.at, node.hidden);
@@ -147,11 +165,11 @@ BergBoundary::BergBoundary(const Region& free, const EdgeIndex& walls, const std
   drop_repeated_dividers();
 }
 
-/// `seen`: the vertices of what is seen from the eye, sorted. Others may be seen along a single line, and corners that
-/// share a point are not seen from everywhere where that is.
-bool BergBoundary::sees_corner(const Point& eye, const BergSight::Corner& corner, const Ring& seen) const {
-  const bool simple = !corner.shares_point && std::binary_search(seen.begin(), seen.end(), corner.at, before);
-  return simple || sight_.sees(eye, corner.at);
+/// Corners that are no vertices of the view may be seen along a single line, and those that share a point are not seen
+/// from everywhere where that is.
+bool BergBoundary::sees_corner(const Point& eye, const BergSight::Corner& corner, const View& view) const {
+  if (!corner.shares_point && std::ranges::binary_search(view.vertices, corner.at, before)) return true;
+  return !is_behind(view.polygon, eye, corner.at, tolerance_) && sight_.sees(eye, corner.at);
 }
 
 /// Closed, exact.
@@ -212,8 +230,7 @@ void BergBoundary::add_children_events() {
     for (const Event& e : events_[v]) nodes_[v].reach = std::max(nodes_[v].reach, e.distance);
 }
 
-/// `seen`: as for sees_corner().
-void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>& corners, const Ring& seen,
+void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>& corners, const View& view,
                                 double longest) {
   const BergNode& node = nodes_[v];
   events_.resize(std::max(events_.size(), v + 1));
@@ -237,7 +254,7 @@ void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>&
     const bool nearer_at_next = (c.next - c.at).dot(node.at - c.at) > 0;
     const bool nearer_at_previous = (c.previous - c.at).dot(node.at - c.at) > 0;
     if (!nearer_at_next && !nearer_at_previous && in_sector(node, c.at) && BergSight::open_towards(c, node.at))
-      offer(c.at, hidden_side(node.at, c), [&] { return sees_corner(node.at, c, seen); });
+      offer(c.at, hidden_side(node.at, c), [&] { return sees_corner(node.at, c, view); });
     if (nearer_at_next && (c.at - c.next).dot(node.at - c.next) > 0) offer_foot(c.at, c.next);
   }
 }

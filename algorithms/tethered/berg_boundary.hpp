@@ -101,6 +101,7 @@ class BergBoundary {
     double distance = 0;  // from the node
     double angle = 0;     // from the sector's right side
   };
+  struct View;
   class NodeSearch;
   friend class BergSweep;
   friend class BergNodeSamples;
@@ -116,8 +117,8 @@ class BergBoundary {
   void add_node(const BergSight::Corner& corner, HiddenSide side, std::size_t parent, double before);
   void find_reach(BergNode& node, const Ring& seen) const;
   void add_children_events();
-  bool sees_corner(const Point& eye, const BergSight::Corner& corner, const Ring& seen) const;
-  void add_dividers(std::size_t node, const std::vector<std::uint32_t>& corners, const Ring& seen, double longest);
+  bool sees_corner(const Point& eye, const BergSight::Corner& corner, const View& view) const;
+  void add_dividers(std::size_t node, const std::vector<std::uint32_t>& corners, const View& view, double longest);
   static bool earlier_in_line(const Event& a, const Event& b);
   void sort_events();
   void number_dividers();

@@ -32,7 +32,7 @@ constexpr double kReach = 0.4999;               // of the tool
 constexpr int kFewVertices = 8;                 // of discs
 constexpr int kMostHalvings = 2;                // of what no single position or segment covers
 constexpr double kDrivenWithin = 1.05;          // distance of what may cover what the passes miss: at least 1
-constexpr double kSquare = 0.25;                // side of the squares around that
+constexpr double kSquare = 0.5;                 // side of the squares around that
 constexpr double kLostWithin = 1.0;             // distance from a disconnected part of the pieces that disconnect it
 constexpr int kRoundsByPieces = 1;              // after that many, all pieces that meet those are left out, too
 constexpr double kLargestPocket = 0.5;          // side of a square; larger disconnected parts are no pockets
@@ -347,12 +347,6 @@ Region unreached(const Problem& problem, const RingBoxes& target, const RingBoxe
   return subtract(unite({left_out, beyond_walls(target, space, left_out, w)}), reached);
 }
 
-bool holds(const Polygon& part, const Point& p, double tolerance) {
-  Box box = bounding_box(part.outer);
-  box.grow(tolerance);
-  return box.contains(p) && nearly_contains(EdgeIndex(Region{{part}}), p, tolerance);
-}
-
 /// Does the line come nearer to the space than `within`?
 bool touches(const EdgeIndex& space, const Polyline& line, double within) {
   if (space.contains(line.front())) return true;
@@ -411,7 +405,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
     auto [outside, left_out] = divided(whole, strips.all());
     for (Polygon& part : outside.polygons) {
       const bool only = outside.polygons.size() == 1;  // strips keep off the start
-      if (space.empty() && (only || holds(part, component.start(), component.tolerance())))
+      if (space.empty() && (only || nearly_contains(part, component.start(), component.tolerance())))
         space.polygons.push_back(std::move(part));
       else if (area(part) > kLargestPocket * kLargestPocket * w * w)
         lost.polygons.push_back(std::move(part));

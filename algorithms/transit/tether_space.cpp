@@ -30,6 +30,7 @@
 #include "geometry/edge_index.hpp"
 #include "geometry/joined_lines.hpp"
 #include "geometry/overlay/cut_along.hpp"
+#include "geometry/point_outside.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/thinned.hpp"
 #include "geometry/trace.hpp"
@@ -85,11 +86,6 @@ double metres(const std::vector<Polyline>& lines) {
   double sum = 0;
   for (const Polyline& line : lines) sum += length(line);
   return sum;
-}
-
-bool contains(const Polygon& component, const Point& p, double tolerance) {
-  const EdgeIndex walls(Region{{component}});
-  return walls.contains(p) || walls.nearest(p, tolerance).has_value();
 }
 
 /// Is b beyond a, seen from `at`, or does it come after a counter-clockwise? The turn begins at `zero`, or in the east
@@ -215,7 +211,7 @@ void TetherSpace::cut_open() {
   const Region& space = problem_.configuration_space();
   Region all = cut_.empty() ? space : cut_along(space, cut_, width_);
   const auto home = std::find_if(all.polygons.begin(), all.polygons.end(), [&](const Polygon& component) {
-    return contains(component, problem_.start(), problem_.tolerance());
+    return nearly_contains(component, problem_.start(), problem_.tolerance());
   });
   if (home == all.polygons.end())
     throw Infeasible(

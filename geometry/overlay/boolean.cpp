@@ -53,7 +53,8 @@ std::vector<std::size_t> spatial_order(const std::vector<Box>& boxes, const Box&
 }
 
 using Boundaries = std::vector<std::vector<BoundaryEdge>>;
-constexpr std::size_t kGroup = 32;
+constexpr std::size_t kGroup = 16;  // parts that are united at a time
+constexpr std::size_t kFew = 32;    // parts that need not be united
 
 /// The boundaries of the unions of groups of consecutive items; add(edges, k) adds item k of n to an overlay.
 template <class Add>
@@ -108,7 +109,7 @@ Region combine(const Region& a, const std::vector<Region>& parts, Inside inside)
   const Lattice lattice(box);
   std::vector<OverlayEdge> edges;
   add_region(edges, a, lattice, {1, 0});
-  if (parts.size() <= kGroup)
+  if (parts.size() <= kFew)
     for (const Region& p : parts) add_region(edges, p, lattice, {0, 1});
   else
     for (const auto& boundary : few_unions(parts, boxes, lattice)) add_boundary(edges, boundary, {0, 1});

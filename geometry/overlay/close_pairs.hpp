@@ -143,6 +143,21 @@ class ClosePairs {
     std::size_t cells() const { return columns.count * rows.count; }
   };
 
+  /// A cell of a grid, and a little beside it.
+  struct Window {
+    double left, right, low, high;
+    Window(const Grid& grid, std::size_t cell, double beside)
+        : left(grid.columns.border(cell / grid.rows.count) - beside),
+          right(grid.columns.border(cell / grid.rows.count + 1) + beside),
+          low(grid.rows.border(cell % grid.rows.count) - beside),
+          high(grid.rows.border(cell % grid.rows.count + 1) + beside) {}
+    SegmentPart clipped(SegmentPart s) const {
+      if (s.x0 < left || s.x1 > right) clip_x(s, left, right);
+      if (std::min(s.y0, s.y1) < low || std::max(s.y0, s.y1) > high) clip_y(s, low, high);
+      return s;
+    }
+  };
+
   struct Extent {
     double x_low = 1e300, x_high = -1e300, y_low = 1e300, y_high = -1e300, x_sum = 0, y_sum = 0;
     std::size_t active = 0;
@@ -170,8 +185,7 @@ class ClosePairs {
     const double columns = std::clamp(std::sqrt(cells * width / height), 1.0, cells);
     return {Intervals(e.x_low, width, columns), Intervals(e.y_low, height, cells / columns)};
   }
-  /// Calls f(cell, s clipped to its column, row, is s in several rows of the column?) for every cell within the slack
-  /// of s.
+  /// Calls f(cell) for every cell within the slack of s.
   template <class G>
   void for_each_cell(const Grid& grid, const SegmentPart& s, G f) const {
     const std::size_t c0 = grid.columns.at(s.x0 - slack_), c1 = grid.columns.at(s.x1 + slack_);
@@ -180,7 +194,7 @@ class ClosePairs {
       if (c0 != c1) clip_x(part, grid.columns.border(c) - 2 * slack_, grid.columns.border(c + 1) + 2 * slack_);
       const std::size_t r0 = grid.rows.at(std::min(part.y0, part.y1) - slack_);
       const std::size_t r1 = grid.rows.at(std::max(part.y0, part.y1) + slack_);
-      for (std::size_t r = r0; r <= r1; ++r) f(c * grid.rows.count + r, part, r, r0 != r1);
+      for (std::size_t r = r0; r <= r1; ++r) f(c * grid.rows.count + r);
     }
   }
 
@@ -194,7 +208,7 @@ class ClosePairs {
     for (std::size_t k = 0; k < n; ++k) {
       const SegmentPart s = source(k);
       const std::uint8_t is = is_active(s) ? 1 : 0;
-      for_each_cell(grid, s, [&](std::size_t cell, const SegmentPart&, std::size_t, bool) {
+      for_each_cell(grid, s, [&](std::size_t cell) {
         ++first[cell + 1];
         active[cell] |= is;
         ++entries;
@@ -205,20 +219,18 @@ class ClosePairs {
       if (first[cell + 1] > n / 2) return false;
       first[cell + 1] = first[cell] + (active[cell] != 0 ? first[cell + 1] : 0);
     }
-    const std::size_t top = arena_.size();
-    arena_.resize(top + first.back());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::size_t k = 0; k < n; ++k) {
-      const SegmentPart s = source(k);
-      for_each_cell(grid, s, [&](std::size_t cell, SegmentPart part, std::size_t r, bool several_rows) {
-        if (active[cell] == 0) return;
-        if (several_rows) clip_y(part, grid.rows.border(r) - 2 * slack_, grid.rows.border(r + 1) + 2 * slack_);
-        arena_[top + next[cell]++] = part;
+    std::vector<std::uint32_t> items(first.back()), next(first.begin(), first.end() - 1);
+    for (std::size_t k = 0; k < n; ++k)
+      for_each_cell(grid, source(k), [&](std::size_t cell) {
+        if (active[cell] != 0) items[next[cell]++] = static_cast<std::uint32_t>(k);
       });
+    const std::size_t top = arena_.size();
+    for (std::size_t cell = 0; cell < active.size(); ++cell) {
+      const Window window(grid, cell, 2 * slack_);
+      for (std::size_t i = first[cell]; i < first[cell + 1]; ++i) arena_.push_back(window.clipped(source(items[i])));
+      search(top, arena_.size(), depth + 1);
+      arena_.resize(top);
     }
-    for (std::size_t cell = 0; cell < active.size(); ++cell)
-      search(top + first[cell], top + first[cell + 1], depth + 1);
-    arena_.resize(top);
     return true;
   }
 

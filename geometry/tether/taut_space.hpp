@@ -31,8 +31,8 @@ class TautSpace {
   /// some others near it, and for some repeatedly.
   template <class F>
   void for_each_near(std::span<const Point> vertices, double pad, F f) const {
-    grid_.visit(vertices, pad, [&](std::size_t cell) {
-      for (const std::uint32_t i : grid_.items(cell)) f(corners_[i]);
+    grid_.visit_items(vertices, pad, [&](std::uint32_t i) {
+      f(corners_[i]);
       return false;
     });
   }

@@ -18,7 +18,8 @@
 //                space (or to which the caller knows a path) on. Where the robot cannot be on the geodesic it takes
 //                the shortest path of the same class to the next point of it where it can. These searches are local,
 //                so their cost does not grow with the number of classes of the whole map. The result is pulled taut.
-//             7. Points are driven together, a few at a time, if no corner lies in the triangle that the tether sweeps.
+//             7. Points are driven together, a few at a time, if no corner lies in a triangle that holds them and the
+//                robot.
 //             8. For a goal outside the cut space the search has no bound on the path's length. If the budget does not
 //                suffice, the path is that of decision 4 along the caller's path out, or, if there is none, leads back
 //                to the start and from there follows the class of the geodesic.
@@ -29,8 +30,8 @@
 #include <iterator>
 
 #include "base/throw_invalid.hpp"
+#include "geometry/tether/branching_tether.hpp"
 #include "geometry/tether/straightened.hpp"
-#include "geometry/tether/tether_tree.hpp"
 
 namespace oxturn {
 
@@ -417,15 +418,15 @@ std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction
     best = shortest_back_and_out(world, tether_, trail_, *out);
   const double bound = best ? length(*best) : std::numeric_limits<double>::infinity();
   bool found = false;
-  TetherTree tethers(tether_, world.longest + world.tolerance);
+  BranchingTether branches(tether_, world.longest + world.tolerance);
   const bool all = world.paths.for_each_taut_path(
       at(), goal, bound, budget,
       [&](const Polyline& line) {
-        found = tethers.stays_within(line);
+        found = branches.stays_within(line);
         if (found) best = line;
         return !found;
       },
-      [&](const Polyline& prefix) { return tethers.stays_within(prefix); });
+      [&](const Polyline& prefix) { return branches.stays_within(prefix); });
   if (best) return TetheredPath{std::move(*best), found || all};
   if (all) return std::nullopt;
   if (world.path_out)

@@ -38,7 +38,8 @@ TEST(SpreadSort, SortsEvenlySpreadClusteredAndEqualKeys) {
 }
 
 std::vector<SegmentPart> random_segments(Rng& rng) {
-  const int kind = rng.between(0, 4), n = rng.chance(0.2) ? rng.between(2500, 3500) : rng.between(2, 1500);
+  const int kind = rng.between(0, 5);
+  const int n = kind == 5 ? rng.between(3500, 5000) : rng.chance(0.2) ? rng.between(2500, 3500) : rng.between(2, 1500);
   std::vector<SegmentPart> out;
   for (int k = 0; k < n; ++k) {
     double x = rng.between(0.0, 1e6), y = rng.between(0.0, 1e6), reach = 2e4;
@@ -46,6 +47,11 @@ std::vector<SegmentPart> random_segments(Rng& rng) {
     if (kind == 2) reach = rng.chance(0.02) ? 1e6 : 1e4;       // a few long ones
     if (kind == 3) y = std::floor(y / 1e5) * 1e5;              // on a few lines
     if (kind == 4) x = 5e5;
+    if (kind == 5) {  // crowds crossed by long ones: cells within cells
+      const bool is_long = rng.chance(0.05);
+      if (!is_long) x = 2.5e5 * rng.between(1, 3) + x / 50, y = 2.5e5 * rng.between(1, 3) + y / 50;
+      reach = is_long ? 1e6 : 1e3;
+    }
     const double dx = rng.chance(0.3) ? 0 : rng.unit() * reach, dy = rng.chance(0.3) ? 0 : rng.between(-reach, reach);
     out.push_back(
         {std::round(x), std::round(y), std::round(x + dx), std::round(y + dy), static_cast<std::uint32_t>(k)});
@@ -55,6 +61,9 @@ std::vector<SegmentPart> random_segments(Rng& rng) {
 
 /// Are the segments within `slack` of each other? Never false where they are.
 bool near(const SegmentPart& s, const SegmentPart& t, double slack) {
+  if (s.x1 < t.x0 - slack || t.x1 < s.x0 - slack || std::max(s.y0, s.y1) < std::min(t.y0, t.y1) - slack ||
+      std::max(t.y0, t.y1) < std::min(s.y0, s.y1) - slack)
+    return false;
   const Point a(s.x0, s.y0), b(s.x1, s.y1), c(t.x0, t.y0), d(t.x1, t.y1);
   const auto side = [](const Point& p, const Point& q, const Point& r) { return cross(q - p, r - p); };
   if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;

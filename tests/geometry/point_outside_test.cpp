@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "random_region.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -56,6 +57,33 @@ TEST(PointOutside, AgreesWithADenseSample) {
     EXPECT_TRUE(found || all_inside) << seed;
     EXPECT_FALSE(found && nearly_contains(walls, *found, kTolerance)) << seed;
   }
+}
+
+// With and without an index, on walls and at corners too.
+TEST(NearlyContains, APolygonSaysWhatItsIndexSays) {
+  std::size_t inside = 0, outside = 0;
+  for (const auto seed : seeds(100)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Region region = clutter_box(rng, 4, 3, seed % 2 == 0);
+    const Polygon& polygon = region.polygons.front();
+    const EdgeIndex walls(region);
+    std::vector<Point> points;
+    for_each_edge(region, [&](const Point& a, const Point& b) {
+      const Point beside = perpendicular(b - a).normalized() * kTolerance;
+      for (const Point& p : {a, lerp(a, b, 0.5), lerp(a, b, rng.unit())})
+        for (const double off : {0.0, 0.5, -0.5, 2.0, -2.0}) points.push_back(p + off * beside);
+    });
+    for (int k = 0; k < 100; ++k) points.push_back({rng.between(-0.5, 4.5), rng.between(-0.5, 3.5)});
+    for (const Point& p : points)
+      for (const double tolerance : {0.0, kTolerance}) {
+        const bool holds = nearly_contains(walls, p, tolerance);
+        EXPECT_EQ(nearly_contains(polygon, p, tolerance), holds) << p.transpose() << " within " << tolerance;
+        ++(holds ? inside : outside);
+      }
+  }
+  EXPECT_GT(inside, 10'000u);
+  EXPECT_GT(outside, 10'000u);
 }
 
 }  // namespace

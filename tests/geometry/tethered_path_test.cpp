@@ -10,6 +10,8 @@
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/tether/branching_tether.hpp"
+#include "geometry/tether/straightened.hpp"
 #include "random_region.hpp"
 #include "taut_paths.hpp"
 #include "tests/support/seeds.hpp"
@@ -353,8 +355,11 @@ Polyline winding_walk(Rng& rng, const EdgeIndex& walls, const Point& from, int s
   return walk;
 }
 
+/// A tether that is driven straight past points lies as one that is driven to each of them: the same curve. Where
+/// corners are exactly in line it may name another of them as its bend.
 TEST(TetheredRobot, DrivesManyPointsAsOneByOne) {
-  for (const auto seed : seeds(40)) {
+  std::size_t skipped = 0;
+  for (const auto seed : seeds(200)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Rng rng(seed);
     const Region free = clutter_box(rng, 8, 6, seed % 2 == 0, 0.5);
@@ -365,12 +370,53 @@ TEST(TetheredRobot, DrivesManyPointsAsOneByOne) {
     for (int k = 0; k < 6; ++k) {
       const Polyline walk = winding_walk(rng, index, world.robot.at(), 60);
       for (const Point& p : walk) alone.drive(p);
+      for (std::size_t i = 1; i < walk.size(); ++i) {
+        const std::size_t n = points_to_skip(world.taut_free, walk[i - 1], walk, i);
+        EXPECT_LE(n, std::min(kMostSkipped, walk.size() - 1 - i));
+        EXPECT_TRUE(n == 0 || index.contains(walk[i - 1], walk[i + n]));
+        skipped += n;
+      }
       world.robot.drive(walk);
       EXPECT_EQ(world.robot.tether().polyline(), alone.polyline());
       EXPECT_EQ(world.robot.tether().length(), alone.length());
       EXPECT_EQ(world.robot.trail().polyline(), alone.polyline());
     }
   }
+  EXPECT_GT(skipped, 100'000u);
+}
+
+/// Random paths that begin alike, and more of them than tethers are kept.
+TEST(BranchingTether, SaysOfEachPathWhatDrivingItSays) {
+  std::size_t within = 0, beyond = 0;
+  for (const auto seed : seeds(30)) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Rng rng(seed);
+    const Region free = clutter_box(rng, 6, 5, seed % 2 == 0, 0.6);
+    const EdgeIndex index(free);
+    const TautSpace corners(free);
+    TautTether from(corners, free_point(rng, index, bounding_box(free)));
+    from.drive(winding_walk(rng, index, from.anchor(), 100));
+    const double longest = from.length() + rng.between(0.0, 3.0);
+    BranchingTether branches(from, longest);
+    std::vector<Polyline> paths{{from.robot()}};
+    for (int k = 0; k < (seed == 1 ? 3000 : 150); ++k) {
+      Polyline path = paths[static_cast<std::size_t>(rng.between(0, static_cast<int>(paths.size()) - 1))];
+      for (int tries = 0; tries < 4; ++tries)
+        if (const Point next = free_point(rng, index, bounding_box(free)); index.contains(path.back(), next))
+          path.push_back(next);
+      TautTether tether = from;
+      bool stays = true;
+      for (const Point& p : path) {
+        tether.drive(p);
+        stays = stays && tether.length() <= longest;
+      }
+      EXPECT_EQ(branches.stays_within(path), stays);
+      (stays ? within : beyond) += 1;
+      paths.push_back(std::move(path));
+    }
+  }
+  EXPECT_GT(within, 500u);
+  EXPECT_GT(beyond, 500u);
 }
 
 }  // namespace

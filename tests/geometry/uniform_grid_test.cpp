@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -69,6 +70,13 @@ TEST(UniformGrid, VisitsEveryCellNearAShapeOnce) {
         visited.push_back(cell);
         return false;
       });
+      std::vector<std::uint32_t> in_cells, items;
+      for (const std::size_t cell : visited) std::ranges::copy(grid.items(cell), std::back_inserter(in_cells));
+      grid.visit_items(shape, pad, [&](std::uint32_t item) {
+        items.push_back(item);
+        return false;
+      });
+      EXPECT_EQ(items, in_cells);
       EXPECT_TRUE(std::ranges::is_sorted(visited));
       const std::set<std::size_t> once(visited.begin(), visited.end());
       EXPECT_EQ(once.size(), visited.size());
@@ -96,6 +104,10 @@ TEST(UniformGrid, StopsWhereAskedTo) {
     EXPECT_TRUE(grid.visit(std::array{Point(0, 0), Point(far, far)}, 0, [&](std::size_t) { return ++calls == 1; }));
     EXPECT_EQ(calls, 1);
   }
+  int items = 0;
+  EXPECT_TRUE(
+      grid.visit_items(std::array{Point(0, 0), Point(10, 10)}, 10, [&](std::uint32_t) { return ++items == 2; }));
+  EXPECT_EQ(items, 2);
   EXPECT_FALSE(grid.visit(std::array{Point(0, 0)}, 0, [](std::size_t) { return false; }));
   EXPECT_FALSE(grid.visit(std::array{Point(20, 0)}, 1, [](std::size_t) { return true; }));
   EXPECT_FALSE(grid.visit(std::array{Point(std::nan(""), 0)}, 1, [](std::size_t) { return true; }));

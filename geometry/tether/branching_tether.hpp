@@ -1,24 +1,24 @@
 /// The tether along many paths that begin alike: the segments that they share are driven once.
 ///
-///   TetherTree tethers(tether, longest);
-///   for (const Polyline& path : paths) if (tethers.stays_within(path)) return path;
+///   BranchingTether branches(tether, longest);
+///   for (const Polyline& path : paths) if (branches.stays_within(path)) return path;
 ///
-/// O(segments that no earlier path began with) drives of a tether. Keeps 2,000 tethers at most.
+/// Drives a tether once along each segment that several paths have after the same beginning. Keeps 2,000 tethers at
+/// most.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <deque>
-#include <optional>
 #include <vector>
 
 #include "geometry/tether/taut_tether.hpp"
 
 namespace oxturn {
 
-class TetherTree {
+class BranchingTether {
  public:
   /// From where the tether is; `longest` metres are its limit.
-  TetherTree(const TautTether& tether, double longest) : root_{.tether = tether}, longest_(longest) {}
+  BranchingTether(const TautTether& tether, double longest) : root_{.tether = tether}, longest_(longest) {}
 
   /// Does the tether keep its limit along `points`, which begin where its robot is? It is longest at one of them.
   bool stays_within(const Polyline& points);
@@ -27,7 +27,7 @@ class TetherTree {
   static constexpr std::size_t kMost = 2000;
   struct Node {
     TautTether tether;
-    std::vector<Node*> next;
+    std::vector<Node*> next = {};
     bool too_long = false;
   };
   /// The same driven on to `to`; nullptr: too many are kept.

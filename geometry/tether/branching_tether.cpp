@@ -1,4 +1,4 @@
-#include "geometry/tether/tether_tree.hpp"
+#include "geometry/tether/branching_tether.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace oxturn {
 
-bool TetherTree::stays_within(const Polyline& points) {
+bool BranchingTether::stays_within(const Polyline& points) {
   if (root_.tether.length() + length(points) <= longest_) return true;  // it grows by what is driven, at most
   Node* node = &root_;
   std::size_t k = 1;
@@ -25,7 +25,7 @@ bool TetherTree::stays_within(const Polyline& points) {
   return true;
 }
 
-TetherTree::Node* TetherTree::next(Node& node, const Point& to) {
+BranchingTether::Node* BranchingTether::next(Node& node, const Point& to) {
   const auto known = std::ranges::find(node.next, to, [](const Node* n) { return n->tether.robot(); });
   if (known != node.next.end()) return *known;
   if (nodes_.size() == kMost) return nullptr;
