@@ -110,9 +110,7 @@ class ArcCoarsener {
       const std::size_t k = (e + size_ - edge_[0]) % size_;
       return (k >= low && k <= high) || (high == size_ && k == 0);
     };
-    return grid_.visit(cut_off, tolerance_, [&](std::size_t cell) {
-      return std::ranges::any_of(grid_.items(cell), [&](std::size_t e) { return !own(e) && near(edges_[e], cut_off); });
-    });
+    return grid_.visit_items(cut_off, tolerance_, [&](std::size_t e) { return !own(e) && near(edges_[e], cut_off); });
   }
   bool near(const Edge& e, const std::array<Point, 3>& triangle) const {
     for (std::size_t k = 0; k < 3; ++k) {

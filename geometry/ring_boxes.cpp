@@ -36,9 +36,8 @@ BoxIndex::BoxIndex(std::vector<Box> boxes)
 
 std::vector<std::uint32_t> BoxIndex::overlapping(const Box& box) const {
   std::vector<std::uint32_t> found;
-  grid_.visit(vertices_of(box), 0, [&](std::size_t cell) {
-    const auto items = grid_.items(cell);
-    found.insert(found.end(), items.begin(), items.end());
+  grid_.visit_items(vertices_of(box), 0, [&](std::uint32_t i) {
+    found.push_back(i);
     return false;
   });
   sort_unique(found);

@@ -100,10 +100,7 @@ class Simplifier {
       return orientation(corner[0], corner[1], at) >= 0 && orientation(corner[1], corner[2], at) >= 0 &&
              orientation(corner[2], corner[0], at) >= 0;
     };
-    return !grid_.visit(corner, 0, [&](std::size_t cell) {
-      const auto items = grid_.items(cell);
-      return std::any_of(items.begin(), items.end(), [&](std::uint32_t k) { return inside(obstacles_[k]); });
-    });
+    return !grid_.visit_items(corner, 0, [&](std::uint32_t k) { return inside(obstacles_[k]); });
   }
 
   void remove(Id id) {

@@ -59,10 +59,7 @@ class PathSegments {
   struct OfWidth {
     template <class F>
     bool for_each_near(const Point& a, const Point& b, double reach, F& f) const {
-      return grid.visit(std::array{a, b}, reach, [&](std::size_t cell) {
-        const auto items = grid.items(cell);
-        return std::ranges::any_of(items, [&](std::uint32_t i) { return f(segments[i]); });
-      });
+      return grid.visit_items(std::array{a, b}, reach, [&](std::uint32_t i) { return f(segments[i]); });
     }
     std::vector<PathSegment> segments;  // in driving order
     UniformGrid grid;

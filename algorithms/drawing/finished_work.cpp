@@ -95,11 +95,11 @@ std::vector<FinishedWork::Interval> FinishedWork::inside(const Point& a, const P
   }
   std::vector<std::uint32_t> near;
   for (const Span& s : open)
-    grid_.visit(std::array{Point(a + s.first * u), Point(a + s.second * u)}, widest_ + growth, [&](std::size_t cell) {
-      for (const std::uint32_t i : grid_.items(cell))
-        if (finished_[items_[i].piece]) near.push_back(i);
-      return false;
-    });
+    grid_.visit_items(std::array{Point(a + s.first * u), Point(a + s.second * u)}, widest_ + growth,
+                      [&](std::uint32_t i) {
+                        if (finished_[items_[i].piece]) near.push_back(i);
+                        return false;
+                      });
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   for (const std::uint32_t i : near) {

@@ -113,8 +113,7 @@ Polyline divided(const Polyline& points, const std::vector<Point>& targets, doub
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Point &a = points[i - 1], &b = points[i];
     const auto near = [&](std::uint32_t k) { return distance_to_segment(targets[k], a, b) < width; };
-    const bool any = grid.visit(std::array{a, b}, width,
-                                [&](std::size_t cell) { return std::ranges::any_of(grid.items(cell), near); });
+    const bool any = grid.visit_items(std::array{a, b}, width, near);
     const int parts = any ? static_cast<int>(distance(a, b) / width) + 1 : 1;
     for (int k = 1; k < parts; ++k) all.push_back(lerp(a, b, static_cast<double>(k) / parts));
     all.push_back(b);

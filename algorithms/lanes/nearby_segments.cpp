@@ -18,11 +18,8 @@ NearbySegments::NearbySegments(const Polyline& path, const std::vector<Point>& p
   const UniformGrid grid(points.size(), [&](std::size_t i) { return std::span(&points[i], 1); });
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     const std::span ends(&path[k], 2);
-    const bool is_near = grid.visit(ends, within, [&](std::size_t cell) {
-      return std::ranges::any_of(grid.items(cell), [&](std::uint32_t i) {
-        return distance_to_segment(points[i], ends[0], ends[1]) <= within;
-      });
-    });
+    const bool is_near = grid.visit_items(
+        ends, within, [&](std::uint32_t i) { return distance_to_segment(points[i], ends[0], ends[1]) <= within; });
     if (is_near) held_.push_back(static_cast<std::uint32_t>(k));
   }
   build();

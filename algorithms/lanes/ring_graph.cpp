@@ -78,8 +78,8 @@ RingGraph::RingGraph(const Laps& laps, double spacing) : spacing_(spacing), leve
 
 template <class F>
 void RingGraph::for_each_near(const Point& a, const Point& b, double within, F f) const {
-  grid_.visit(std::array{a, b}, within, [&](std::size_t cell) {
-    for (const std::uint32_t e : grid_.items(cell)) f(edges_[e]);
+  grid_.visit_items(std::array{a, b}, within, [&](std::uint32_t e) {
+    f(edges_[e]);
     return false;
   });
 }

@@ -24,11 +24,12 @@ bool put_back(const std::vector<Ring>& holes, Region& region) {
   if (n > 1 && holes.size() > kFewHoles)
     for (const Polygon& polygon : region.polygons) indices.emplace_back(Region{{polygon}});
   const auto holds = [&](std::size_t k, const Point& p) {
+    if (n == 1) return true;
     return indices.empty() ? nearly_contains(region.polygons[k], p, 0) : indices[k].contains(p);
   };
   for (const Ring& hole : holes) {
     std::size_t in = 0;
-    while (n > 1 && in < n && !holds(in, hole[0])) ++in;
+    while (in < n && !holds(in, hole[0])) ++in;
     if (in == n) return false;
     region.polygons[in].holes.push_back(hole);
   }

@@ -134,12 +134,9 @@ class Cover {
   }
 
   bool covered_without(std::size_t s, const Point& p) const {
-    return grid_.visit(std::array{p}, width_ / 2, [&](std::size_t cell) {
-      for (const std::uint32_t i : grid_.items(cell))
-        if (owner_[i] != s && kept_[owner_[i]] &&
-            distance_to_segment(p, segments_[i][0], segments_[i][1]) <= width_ / 2)
-          return true;
-      return false;
+    return grid_.visit_items(std::array{p}, width_ / 2, [&](std::uint32_t i) {
+      return owner_[i] != s && kept_[owner_[i]] &&
+             distance_to_segment(p, segments_[i][0], segments_[i][1]) <= width_ / 2;
     });
   }
 

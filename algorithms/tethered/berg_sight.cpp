@@ -122,22 +122,14 @@ bool BergSight::in_wedge(const Corner& c, const Point& p) {
 bool BergSight::sees(const Point& eye, const Point& p) const {
   if (!walls_.contains(eye, p)) return false;
   const std::array line{eye, p};
-  const bool crossed = barrier_grid_.visit(line, 0, [&](std::size_t cell) {
-    const auto items = barrier_grid_.items(cell);
-    return std::ranges::any_of(items, [&](std::uint32_t i) {
-      return crossing(eye, p, barriers_[i].from, barriers_[i].to) == Crossing::proper;
-    });
+  const bool crossed = barrier_grid_.visit_items(line, 0, [&](std::uint32_t i) {
+    return crossing(eye, p, barriers_[i].from, barriers_[i].to) == Crossing::proper;
   });
   if (crossed) return false;
-  const bool between_obstacles = contact_grid_.visit(line, 0, [&](std::size_t cell) {
-    const auto items = contact_grid_.items(cell);
-    return std::ranges::any_of(items, [&](std::uint32_t i) { return blocked_between(contacts_[i], eye, p); });
-  });
+  const bool between_obstacles =
+      contact_grid_.visit_items(line, 0, [&](std::uint32_t i) { return blocked_between(contacts_[i], eye, p); });
   if (between_obstacles) return false;
-  return !end_grid_.visit(line, 0, [&](std::size_t cell) {
-    const auto items = end_grid_.items(cell);
-    return std::ranges::any_of(items, [&](std::uint32_t i) { return blocked_at(barrier_ends_[i], eye, p); });
-  });
+  return !end_grid_.visit_items(line, 0, [&](std::uint32_t i) { return blocked_at(barrier_ends_[i], eye, p); });
 }
 
 /// Does the line of sight pass from one free wedge into another, through the point where obstacles touch?

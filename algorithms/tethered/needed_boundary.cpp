@@ -99,10 +99,7 @@ class SegmentIndex {
  private:
   template <class Test>
   bool any_near(const Point& a, const Point& b, double reach, Test test) const {
-    return grid_.visit(std::array{a, b}, reach, [&](std::size_t cell) {
-      const auto items = grid_.items(cell);
-      return std::any_of(items.begin(), items.end(), [&](std::uint32_t i) { return test(segments_[i]); });
-    });
+    return grid_.visit_items(std::array{a, b}, reach, [&](std::uint32_t i) { return test(segments_[i]); });
   }
   const std::vector<Polyline>& segments_;
   UniformGrid grid_;

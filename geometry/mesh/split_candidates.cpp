@@ -42,10 +42,8 @@ bool SplitCandidates::swept(const Point& p, double time) const {
   if ((p - grid_.low()).minCoeff() < -tolerance_ || (grid_.high() - p).minCoeff() < -tolerance_) return true;
   const double reach = time * (1 - kRelative) - tolerance_;
   if (reach <= 0) return false;
-  return grid_.visit(std::array{p}, reach, [&](std::size_t cell) {
-    return std::ranges::any_of(
-        grid_.items(cell), [&](std::uint32_t e) { return distance_to_segment(p, edges_[e].a, edges_[e].b) < reach; });
-  });
+  return grid_.visit_items(std::array{p}, reach,
+                           [&](std::uint32_t e) { return distance_to_segment(p, edges_[e].a, edges_[e].b) < reach; });
 }
 
 /// Seconds after which a vertex has ended, certainly.
@@ -88,9 +86,8 @@ std::vector<std::uint32_t> SplitCandidates::find(std::size_t e0, std::size_t e1,
   const double life = longest_life(motion), reach = fastest_ * (time + life) + tolerance_;
   if (!(reach < (grid_.high() - grid_.low()).maxCoeff())) return all();
   std::vector<std::uint32_t> found;
-  grid_.visit(std::array{motion.at, motion.after(life)}, reach, [&](std::size_t cell) {
-    for (const std::uint32_t e : grid_.items(cell))
-      if (may_meet(motion, life, edges_[e])) found.push_back(e);
+  grid_.visit_items(std::array{motion.at, motion.after(life)}, reach, [&](std::uint32_t e) {
+    if (may_meet(motion, life, edges_[e])) found.push_back(e);
     return false;
   });
   std::sort(found.begin(), found.end());

@@ -6,21 +6,21 @@
 
 namespace oxturn {
 
+bool stays_within(TautTether tether, std::span<const Point> points, double longest) {
+  return std::ranges::all_of(points, [&](const Point& p) {
+    tether.drive(p);
+    return tether.length() <= longest;
+  });
+}
+
 bool BranchingTether::stays_within(const Polyline& points) {
   if (root_.tether.length() + length(points) <= longest_) return true;  // it grows by what is driven, at most
   Node* node = &root_;
-  std::size_t k = 1;
-  for (; k < points.size(); ++k) {
+  for (std::size_t k = 1; k < points.size(); ++k) {
     Node* const after = next(*node, points[k]);
-    if (after == nullptr) break;
+    if (after == nullptr) return oxturn::stays_within(node->tether, std::span(points).subspan(k), longest_);
     if (after->too_long) return false;
     node = after;
-  }
-  if (k == points.size()) return true;
-  TautTether tether = node->tether;
-  for (; k < points.size(); ++k) {
-    tether.drive(points[k]);
-    if (!(tether.length() <= longest_)) return false;
   }
   return true;
 }

@@ -9,11 +9,16 @@
 
 #include <cstddef>
 #include <deque>
+#include <span>
 #include <vector>
 
 #include "geometry/tether/taut_tether.hpp"
 
 namespace oxturn {
+
+/// Does a tether keep to `longest` metres while its robot drives to one point after the other? It is longest at one of
+/// them.
+bool stays_within(TautTether tether, std::span<const Point> points, double longest);
 
 class BranchingTether {
  public:

@@ -59,13 +59,8 @@ namespace {
 
 /// Does the tether keep its length limit along `points`, which begin where its robot is?
 bool admissible(const TetheredWorld& world, const TautTether& from, const Polyline& points) {
-  if (from.length() + length(points) <= world.longest) return true;  // it grows by what is driven, at most
-  TautTether tether = from;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    tether.drive(points[k]);
-    if (world.too_long(tether)) return false;
-  }
-  return true;
+  return from.length() + length(points) <= world.longest ||  // it grows by what is driven, at most
+         stays_within(from, std::span(points).subspan(1), world.longest + world.tolerance);
 }
 
 Polyline reversed(Polyline line) {

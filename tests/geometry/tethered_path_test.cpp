@@ -355,8 +355,7 @@ Polyline winding_walk(Rng& rng, const EdgeIndex& walls, const Point& from, int s
   return walk;
 }
 
-/// A tether that is driven straight past points lies as one that is driven to each of them: the same curve. Where
-/// corners are exactly in line it may name another of them as its bend.
+/// A tether that is driven straight past points lies as one that is driven to each of them.
 TEST(TetheredRobot, DrivesManyPointsAsOneByOne) {
   std::size_t skipped = 0;
   for (const auto seed : seeds(200)) {
