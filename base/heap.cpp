@@ -63,8 +63,15 @@ void reserve_heap(double bytes) {
   }
   for (void* block : blocks) std::free(block);  // they join what is free at the end of the heap
 }
+
+void give_back_freed_memory() {
+  const auto* end = static_cast<const char*>(::sbrk(0));
+  ::malloc_trim(0);
+  reserve_heap(static_cast<double>(end - static_cast<const char*>(::sbrk(0))));
+}
 #else
 void reserve_heap(double) {}
+void give_back_freed_memory() {}
 #endif
 
 }  // namespace oxturn

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
+#include "base/heap.hpp"
 #include "base/text.hpp"
 #include "bench/process_info.hpp"
 #include "bench/wire.hpp"
@@ -217,9 +215,7 @@ class PlannerParent {
 
 Planned plan_isolated(const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem,
                       const IsolationOptions& options) {
-#ifdef __GLIBC__
-  ::malloc_trim(0);  // freed memory that this process holds would not count when the planner takes it
-#endif
+  give_back_freed_memory();  // else it would not count when the planner takes it
   PlannerParent parent(options);
   ChildTask task;
   task.limits = options.limits;

@@ -19,6 +19,7 @@ long kilobytes(const char* name, const char* key) {
   return -1;
 }
 long huge_pages() { return kilobytes("smaps_rollup", "AnonHugePages:"); }
+long resident() { return kilobytes("smaps_rollup", "Rss:"); }
 long address_space() { return kilobytes("status", "VmSize:"); }
 
 bool are_given() {
@@ -46,6 +47,19 @@ TEST(Heap, WhatIsReservedAlreadyIsNotReservedAgain) {
   reserve_heap(1e9);
   EXPECT_EQ(address_space(), before);
   EXPECT_EQ(touched.back(), 'x');
+}
+
+TEST(Heap, GivesBackWhatIsFreedAndKeepsTheReserve) {
+  if (kSanitized || !are_given() || huge_pages() < 0) GTEST_SKIP() << "the system gives no huge pages";
+  keep_freed_memory();
+  reserve_heap(1.5e9);
+  { const std::vector<char> freed(256 << 20, 'x'); }
+  const long before = resident();
+  give_back_freed_memory();
+  EXPECT_LE(resident(), before - (200 << 10));
+  const long huge_before = huge_pages();
+  const std::vector<char> touched(64 << 20, 'x');
+  EXPECT_GE(huge_pages() - huge_before, 32 << 10) << touched.front();
 }
 
 TEST(Heap, ReserveTakesAnySize) {
