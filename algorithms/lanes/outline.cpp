@@ -133,31 +133,36 @@ class RingTree {
     std::size_t segment;
     Point a, b;
   };
-  /// How a ring may be attached.
+  /// How a ring may be attached: as how_ says, or as blocked_[*blocked] does, with a wall in between and more to drive
+  /// than the distance.
   struct Offer {
-    std::size_t ring;
-    Attachment how;
-    bool blocked;  // a wall is in between, and how.distance less than there is to drive
-    bool operator>(const Offer& o) const { return std::tie(how.distance, ring) > std::tie(o.how.distance, o.ring); }
+    double distance;
+    std::uint32_t ring;
+    std::optional<std::uint32_t> blocked;
+    bool operator>(const Offer& o) const {
+      return std::tie(distance, ring, blocked) > std::tie(o.distance, o.ring, o.blocked);
+    }
   };
 
   void attach_within(double reach) {
     const RingGrid grid(rings_, attached_);
     least_.assign(rings_.size(), kInfinity);
+    blocked_.clear();
     for (std::size_t i = 0; i + 1 < path_.size(); ++i) search(of_path(i), grid, reach);
     for (const Source& s : sources_) search(s, grid, reach);
     while (!offers_.empty()) {
       const Offer offer = offers_.top();
       offers_.pop();
       const double least = least_[offer.ring];
-      if (attached_[offer.ring] || offer.how.distance > least) continue;
+      if (attached_[offer.ring] || offer.distance > least) continue;
       if (offer.blocked) {
         // Only now, because most rings have been attached to something in sight before.
-        const double driven = driven_length(offer.how.from, offer.how.on, std::min(reach, least));
-        if (driven <= reach && driven < least) accept(offer, driven);
+        Attachment& how = blocked_[*offer.blocked];
+        how.distance = driven_length(how.from, how.on, std::min(reach, least));
+        if (how.distance <= reach && how.distance < least) accept(offer.ring, how);
         continue;
       }
-      attach(offer.ring, offer.how);
+      attach(offer.ring);
       const std::size_t before = sources_.size();
       add_sources(offer.ring);
       for (std::size_t s = before; s < sources_.size(); ++s) search(sources_[s], grid, reach);
@@ -166,10 +171,10 @@ class RingTree {
 
   Source of_path(std::size_t segment) const { return {std::nullopt, segment, path_[segment], path_[segment + 1]}; }
 
-  void accept(Offer offer, double driven) {
-    offer.how.distance = least_[offer.ring] = driven;
-    offer.blocked = false;
-    offers_.push(offer);
+  void accept(std::uint32_t ring, const Attachment& how) {
+    least_[ring] = how.distance;
+    how_[ring] = how;
+    offers_.push({how.distance, ring, std::nullopt});
   }
   bool in_sight(const Point& p, const Point& q) const { return around_->walls().contains(p, q); }
   /// Among the walls; infinity if above `longest`.
@@ -183,10 +188,11 @@ class RingTree {
     for (std::size_t e = 0; e < r.size(); ++e) sources_.push_back({ring, e, r[e], r[(e + 1) % r.size()]});
   }
 
-  void attach(std::size_t ring, const Attachment& how) {
+  /// As how_ says.
+  void attach(std::size_t ring) {
+    const Attachment& how = how_[ring];
     attached_[ring] = true;
     --remaining_;
-    how_[ring] = how;
     (how.parent ? children_[*how.parent] : on_path_).push_back(ring);
   }
 
@@ -211,7 +217,8 @@ class RingTree {
     }
     for (const ComponentLinks::Link& link : links.tree(0)) {
       const Source& to = sources_[source_of[link.to]];
-      attach(*to.ring, attachment(sources_[source_of[link.from]], to, link.path));
+      how_[*to.ring] = attachment(sources_[source_of[link.from]], to, link.path);
+      attach(*to.ring);
     }
   }
 
@@ -243,11 +250,11 @@ class RingTree {
         if (attached_[item.ring] || box_gap(a, b, item.a, item.b) > std::min(reach, least_[item.ring])) return;
         const Approach m = nearest_approach(a, b, item.a, item.b);
         if (m.distance > reach || m.distance >= least_[item.ring]) return;
-        const Offer offer{
-            item.ring,
-            {m.distance, source.ring, source.segment, distance(source.a, m.first), m.first, m.second, item.edge},
-            around_ != nullptr && !in_sight(m.first, m.second)};
-        offer.blocked ? offers_.push(offer) : accept(offer, m.distance);
+        const Attachment how{m.distance, source.ring, source.segment, distance(source.a, m.first),
+                             m.first,    m.second,    item.edge};
+        if (around_ == nullptr || in_sight(m.first, m.second)) return accept(item.ring, how);
+        offers_.push({how.distance, item.ring, static_cast<std::uint32_t>(blocked_.size())});
+        blocked_.push_back(how);
       });
     }
   }
@@ -264,6 +271,7 @@ class RingTree {
   std::size_t remaining_ = 0;
   // Of the present reach: what is known of the drive to each ring, and all offers that may be shorter.
   std::vector<double> least_;
+  std::vector<Attachment> blocked_;
   std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
 };
 

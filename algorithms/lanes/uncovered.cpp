@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "algorithms/lanes/covered_cells.hpp"
+#include "algorithms/lanes/joint_cover.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
@@ -19,6 +21,7 @@ namespace {
 
 constexpr std::array kOff{0.02, 0.005};  // tool widths by which chords may be off their curve, roughly and finely
 constexpr std::size_t kMostUnder = 32;   // segments under a chord: choosing it costs their square
+constexpr double kSeamShare = 0.25;      // of the seam: by which segments cover more together
 constexpr double kWorthwhile = 2;        // times fewer segments
 
 /// Lines as chords: those that are segments of the line itself, and those that are off it by up to `off`.
@@ -68,7 +71,8 @@ std::vector<Polyline> near(const Region& left, const std::vector<Polyline>& line
 /// Segments of lines, found by the boxes about what they cover; a line of one point is a segment, too.
 class CoveringSegments {
  public:
-  CoveringSegments(const std::vector<Polyline>& lines, double radius, double seam) : lines_(lines), radius_(radius) {
+  CoveringSegments(const std::vector<Polyline>& lines, double radius, double seam)
+      : lines_(lines), radius_(radius), wide_(radius + kSeamShare * seam) {
     std::vector<Box> boxes;
     for (std::size_t l = 0; l < lines.size(); ++l)
       for (std::size_t k = 0; k < std::max<std::size_t>(lines[l].size(), 2) - 1; ++k) {
@@ -82,12 +86,13 @@ class CoveringSegments {
   }
 
   enum class Cover { none, some, all };
-  /// How much of a piece is covered: all of it, if one segment covers it; perhaps some, if segments are near it, which
-  /// are noted.
+  /// How much of a piece is covered: all of it, if one segment covers it or several certainly do; perhaps some, if
+  /// segments are near it, which are noted.
   Cover cover(const Polygon& piece) {
     const std::vector<std::uint32_t> found = index_.overlapping(bounding_box(piece.outer));
     if (std::ranges::any_of(found, [&](std::uint32_t s) { return covers(segments_[s], piece.outer); }))
       return Cover::all;
+    if (cover_together(found, piece.outer)) return Cover::all;
     for (const std::uint32_t s : found) near_[s] = true;
     return found.empty() ? Cover::none : Cover::some;
   }
@@ -104,21 +109,28 @@ class CoveringSegments {
   }
 
  private:
-  struct Segment {
+  /// A segment of a line.
+  struct Part {
     std::size_t line, first;
   };
-  const Point& from(const Segment& s) const { return lines_[s.line][s.first]; }
-  const Point& to(const Segment& s) const {
+  const Point& from(const Part& s) const { return lines_[s.line][s.first]; }
+  const Point& to(const Part& s) const {
     const Polyline& line = lines_[s.line];
     return line[std::min(s.first + 1, line.size() - 1)];
   }
-  bool covers(const Segment& s, const Ring& ring) const {
+  bool covers(const Part& s, const Ring& ring) const {
     return std::ranges::all_of(ring, [&](const Point& p) { return distance_to_segment(p, from(s), to(s)) <= radius_; });
+  }
+  bool cover_together(const std::vector<std::uint32_t>& found, const Ring& ring) {
+    together_.clear();
+    for (const std::uint32_t s : found) together_.push_back({from(segments_[s]), to(segments_[s])});
+    return cover_inside(together_, wide_, ring);
   }
 
   const std::vector<Polyline>& lines_;
-  double radius_;
-  std::vector<Segment> segments_;
+  double radius_, wide_;
+  std::vector<Part> segments_;
+  std::vector<Segment> together_;  // of the piece that is looked at
   std::vector<bool> near_;
   BoxIndex index_;
 };

@@ -1,0 +1,23 @@
+/// Whether a tool that works along some segments certainly covers all that lies inside a ring.
+///
+///   if (cover_inside({{a, b}, {b, c}}, tool_width / 2, piece.outer)) ...   // no overlay needed
+///
+/// Method      What segments that all pass a point within the radius cover is star-shaped seen from there, so it has no
+///             holes: if the ring lies in it, all inside the ring does. A ring for which the middle of its box will not
+///             do is halved by a chord. Whatever is inside lies inside one of the halves, even where the chord leaves
+///             the ring: its winding numbers about a point add up to the ring's.
+/// Guarantee   never true where something inside is farther than `radius` from all segments; false where that is seldom
+///             so, too: in long bands, or with more than 64 segments
+/// Complexity  O(n s + n^2) for n vertices of the ring, its edges cut to the radius, and s segments
+#pragma once
+
+#include <span>
+
+#include "algorithms/lanes/lanes.hpp"
+#include "geometry/region.hpp"
+
+namespace oxturn {
+
+bool cover_inside(std::span<const Segment> segments, double radius, const Ring& ring);
+
+}  // namespace oxturn
