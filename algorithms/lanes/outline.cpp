@@ -241,7 +241,7 @@ class RingTree {
   void search(const Source& source, const RingGrid& grid, double reach) {
     // Long segments are divided, so that the box about a slanted one stays narrow.
     const auto pieces =
-        static_cast<std::size_t>(std::min(std::ceil(distance(source.a, source.b) / (4 * reach)) + 1, kMostPieces));
+        static_cast<std::size_t>(std::clamp(std::ceil(distance(source.a, source.b) / (4 * reach)), 1.0, kMostPieces));
     const double n = static_cast<double>(pieces);
     for (std::size_t k = 0; k < pieces; ++k) {
       const Point a = lerp(source.a, source.b, static_cast<double>(k) / n),

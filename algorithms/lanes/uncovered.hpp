@@ -24,8 +24,8 @@ inline double covered_seam(const Robot& robot) { return robot.tool_width / 250; 
 Region uncovered(const Region& target, const Path& path, const Robot& robot);
 
 /// What lines leave of pieces, most of which lie under one segment or a few: those are found without an overlay
-/// (joint_cover.hpp). Each line covers what is nearer than `radius`; the swath errs outside by `seam` at most. O(p log p) for p vertices of pieces
-/// and lines, if few segments are near each piece.
+/// (joint_cover.hpp). Each line covers what is nearer than `radius`; the swath errs outside by `seam` at most.
+/// O(p log p) for p vertices of pieces and lines, if few segments are near each piece.
 Region left_of_pieces(const Region& pieces, const std::vector<Polyline>& lines, double radius, double seam);
 
 }  // namespace oxturn
