@@ -12,7 +12,8 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kMostSegments = 64;  // a bit for each
+constexpr std::size_t kMostSegments = 64;   // a bit for each
+constexpr std::size_t kMostVertices = 256;  // of a ring with its edges cut: halving it costs their square
 constexpr int kRingHalvings = 8;
 constexpr int kEdgeHalvings = 3;  // to find the segments that cover an edge one after another
 
@@ -31,9 +32,11 @@ class JointCover {
     Vertices vertices;
     Point before = ring.back();
     for (const Point& p : ring) {
-      const double steps = std::ceil(distance(before, p) / radius_);
-      for (double k = 1; k <= steps; ++k) {
-        const Point at = k < steps ? lerp(before, p, k / steps) : p;
+      const double parts = std::ceil(distance(before, p) / radius_);
+      if (static_cast<double>(vertices.size()) + parts > kMostVertices) return false;
+      const int n = static_cast<int>(parts);
+      for (int k = 1; k <= n; ++k) {
+        const Point at = k < n ? lerp(before, p, k / parts) : p;
         vertices.push_back({at, covering(at)});
         if (vertices.back().covered_by == 0) return false;
       }

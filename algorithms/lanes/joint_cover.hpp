@@ -6,8 +6,8 @@
 ///             holes: if the ring lies in it, all inside the ring does. A ring for which the middle of its box will not
 ///             do is halved by a chord. Whatever is inside lies inside one of the halves, even where the chord leaves
 ///             the ring: its winding numbers about a point add up to the ring's.
-/// Guarantee   never true where something inside is farther than `radius` from all segments; false where that is seldom
-///             so, too: in long bands, or with more than 64 segments
+/// Guarantee   never true where something inside is farther than `radius` from all segments; often, but not always true
+///             otherwise: never with more than 64 segments, or 256 vertices where edges are cut to the radius
 /// Complexity  O(n s + n^2) for n vertices of the ring, its edges cut to the radius, and s segments
 #pragma once
 

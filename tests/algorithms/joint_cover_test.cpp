@@ -123,6 +123,7 @@ TEST(JointCover, TakesRingsOfAnyShape) {
   EXPECT_TRUE(cover_inside(one, 0.5, {{0, 0}, {1, 0}, {0, 0}}));
   EXPECT_TRUE(cover_inside(one, 0.5, {{0.5, 0}, {0.5, 0}, {0.5, 0}}));
   EXPECT_FALSE(cover_inside({}, 0.5, {{0, 0}, {1, 0}, {0, 1}}));
+  EXPECT_FALSE(cover_inside(one, 1e-9, {{0, 0}, {1, 0}, {0.5, 1e-10}}));  // billions of parts
   EXPECT_FALSE(cover_inside(Segments(65, one[0]), 0.5, {{0, 0}, {0.1, 0}, {0, 0.1}}));
 }
 
