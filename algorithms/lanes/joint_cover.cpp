@@ -32,7 +32,7 @@ class JointCover {
     Vertices vertices;
     Point before = ring.back();
     for (const Point& p : ring) {
-      const double parts = std::ceil(distance(before, p) / radius_);
+      const double parts = std::max(1.0, std::ceil(distance(before, p) / radius_));
       if (static_cast<double>(vertices.size()) + parts > kMostVertices) return false;
       const int n = static_cast<int>(parts);
       for (int k = 1; k <= n; ++k) {
