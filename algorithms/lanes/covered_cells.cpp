@@ -22,7 +22,6 @@ namespace {
 
 constexpr double kCell = 1;           // radii
 constexpr double kOff = 0.04;         // radii: chords are off their curve by this at most
-constexpr double kSeamShare = 0.25;   // of the seam: by which capsules are wider
 constexpr double kThin = 1e-7;        // radii: what is thinner does not count
 constexpr std::size_t kLongest = 32;  // segments under a chord
 constexpr std::size_t kFew = 2000;    // segments: an overlay takes milliseconds

@@ -15,6 +15,9 @@
 
 namespace oxturn {
 
+/// Of the seam: so much wider is the tool where it is decided without an overlay what it covers.
+inline constexpr double kSeamShare = 0.25;
+
 /// Lines about which what is nearer than `radius` is covered; up to `seam` more may count as covered.
 struct WideLines {
   std::vector<Polyline> lines;

@@ -1,6 +1,6 @@
 /// Whether a tool that works along some segments certainly covers all that lies inside a ring.
 ///
-///   if (cover_inside({{a, b}, {b, c}}, tool_width / 2, piece.outer)) ...   // no overlay needed
+///   if (cover_inside(segments_of_lanes, tool_width / 2, piece.outer)) ...   // no overlay needed
 ///
 /// Method      What segments that all pass a point within the radius cover is star-shaped seen from there, so it has no
 ///             holes: if the ring lies in it, all inside the ring does. A ring for which the middle of its box will not
@@ -18,6 +18,7 @@
 
 namespace oxturn {
 
+/// `segments` may be points; `ring` has at least one vertex, and edges may cross. `radius` in metres, > 0.
 bool cover_inside(std::span<const Segment> segments, double radius, const Ring& ring);
 
 }  // namespace oxturn

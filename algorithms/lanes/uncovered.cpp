@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::array kOff{0.02, 0.005};  // tool widths by which chords may be off their curve, roughly and finely
 constexpr std::size_t kMostUnder = 32;   // segments under a chord: choosing it costs their square
-constexpr double kSeamShare = 0.25;      // of the seam: by which segments cover more together
 constexpr double kWorthwhile = 2;        // times fewer segments
 
 /// Lines as chords: those that are segments of the line itself, and those that are off it by up to `off`.
