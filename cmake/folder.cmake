@@ -18,6 +18,10 @@ function(oxturn_folder name)
   target_include_directories(oxturn_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_compile_features(oxturn_${name} PUBLIC cxx_std_20)
   target_link_libraries(oxturn_${name} PUBLIC ${FOLDER_USES} PRIVATE oxturn_options ${FOLDER_PRIVATE})
+  # No other library replaces our functions at run time (install.cmake), so they may be inlined: a hundredth of all
+  # instructions. Clang takes it for granted.
+  target_compile_options(oxturn_${name} PRIVATE
+    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-fno-semantic-interposition>)
   list(TRANSFORM FOLDER_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   set_property(GLOBAL APPEND PROPERTY OXTURN_HEADERS ${FOLDER_HEADERS})
   set_property(GLOBAL APPEND PROPERTY OXTURN_FOLDERS oxturn_${name})

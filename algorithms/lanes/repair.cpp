@@ -19,6 +19,7 @@
 #include "geometry/convex_hull.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/spatial_order.hpp"
 
 namespace oxturn {
 namespace {
@@ -90,6 +91,7 @@ class Repair {
       }
       add_arcs();
       left_ = rest(left_, std::span(pieces_).subspan(before));
+      put_neighbours_together(left_);
     }
     if (!left_.empty() && !context.cancelled()) add_whole_rings();
     return std::move(pieces_);
@@ -343,6 +345,7 @@ Path repaired(const Problem& problem, const Path& path, const Connector& connect
 Path repaired(const Problem& problem, const Path& path, Region missed, const Connector& connector, Context& context) {
   const double width = problem.robot().tool_width;
   missed = without_negligible(missed, problem.robot());
+  put_neighbours_together(missed);
   Path whole = with_stops(path, problem.start(), missed.polygons, kReach * width, problem.walls());
   const std::vector<Ring> pieces = Repair(problem, std::move(missed)).find(context);
   if (pieces.empty()) return whole;

@@ -102,9 +102,9 @@ BergNodeSamples::Steps BergNodeSamples::steps_of(const Arc& arc) const {
   return steps;
 }
 
-Point BergNodeSamples::at(double turn) const {
+Point BergNodeSamples::direction(double turn) const {
   const double angle = node_.begin + turn;
-  return node_.at + radius_ * Point(math::cos(angle), math::sin(angle));
+  return {math::cos(angle), math::sin(angle)};
 }
 
 bool BergNodeSamples::is_trimmed(const Point& p) const {
@@ -133,9 +133,10 @@ double BergNodeSamples::look_at(double k, Walk& walk) {
   if (walk.driven && walk.previous == k - 1)
     if (const double next = leap(walk); next > walk.previous) return walk.previous = kept_.back().last = next;
   walk.longest_leap = walk.stride;
-  const SightRange::Answer answer = node_.range.look(turn, radius_);
+  const Point towards = direction(turn);
+  const SightRange::Answer answer = node_.range.look(turn, towards, radius_);
   if (answer == SightRange::Answer::hidden) return k;
-  const Point p = at(turn);
+  const Point p = node_.at + radius_ * towards;
   walk.driven = is_driven(p);
   if (walk.driven) {
     if (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_.sees(node_.at, p))) return k;

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "algorithms/lanes/joint_cover.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "base/graph_search.hpp"
 #include "base/math.hpp"
@@ -347,6 +348,23 @@ Region unreached(const Problem& problem, const RingBoxes& target, const RingBoxe
   return subtract(unite({left_out, beyond_walls(target, space, left_out, w)}), reached);
 }
 
+/// Leaves out polygons of which the tool surely reaches all from `driven`, next to which they lie. Those beside walls
+/// stay: from there the tool would reach beyond.
+void leave_out_reached(Region& pieces, const EdgeIndex& driven, const EdgeIndex& walls, double w) {
+  std::vector<Segment> near;
+  std::erase_if(pieces.polygons, [&](const Polygon& piece) {
+    Box around = bounding_box(piece.outer);
+    around.grow(kReach * w);
+    near.clear();
+    driven.for_each_near(around, [&](std::size_t e) { near.push_back({driven.edges()[e].a, driven.edges()[e].b}); });
+    if (!cover_inside(near, kReach * w, piece.outer)) return false;
+    bool by_walls = false;
+    for_each_edge(piece.outer,
+                  [&](const Point& a, const Point& b) { by_walls = by_walls || walls.nearest(a, b, w / 2); });
+    return !by_walls;
+  });
+}
+
 /// Does the line come nearer to the space than `within`?
 bool touches(const EdgeIndex& space, const Polyline& line, double within) {
   if (space.contains(line.front())) return true;
@@ -417,6 +435,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
       const Region& driven = beside.configuration_space();
       Region doubtful = strips.doubtful(component.walls(), beside.walls());
       if (!doubtful.empty()) doubtful = intersect(left_out, doubtful);
+      leave_out_reached(doubtful, beside.walls(), problem_.walls(), w);
       if (!pockets.empty()) doubtful = unite({doubtful, pockets});
       Region missed = unreached(problem_, target_, space_, doubtful, driven);
       return {std::move(beside), std::move(missed)};

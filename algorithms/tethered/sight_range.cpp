@@ -21,6 +21,12 @@ constexpr double kNear = 1000;      // tolerances
 constexpr double kRounding = 1e-9;  // radians
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
+/// The vector turned by up to 0.005 radians, to 3e-14: sine and cosine would take longer than all else.
+Point turned_little(const Point& v, double by) {
+  const double square = by * by, sine = by * (1 - square / 6), cosine = 1 - square / 2 * (1 - square / 12);
+  return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+}
+
 }  // namespace
 
 SightRange::SightRange(const Point& eye, double begin, double width, const Ring& seen, double tolerance)
@@ -29,7 +35,8 @@ SightRange::SightRange(const Point& eye, double begin, double width, const Ring&
       tolerance_(tolerance),
       slices_(std::clamp<std::size_t>(kSlicesPerEdge * seen.size(), 1, kMostSlices), 0.0),
       sure_(slices_.size(), kUnknown) {
-  for (std::size_t i = 0; i < seen.size(); ++i) add_edge(seen[i] - eye, seen[(i + 1) % seen.size()] - eye, begin);
+  const std::vector<Point> borders = this->borders();
+  for (std::size_t i = 0; i < seen.size(); ++i) add_edge(seen[i] - eye, seen[(i + 1) % seen.size()] - eye, borders);
   std::ranges::replace(sure_, kUnknown, 0.0);
   std::ranges::stable_sort(edges_, {}, &Edge::from);
   edges_.shrink_to_fit();
@@ -41,23 +48,32 @@ std::size_t SightRange::slice_of(double angle) const {
   return std::min(static_cast<std::size_t>(angle / width_ * count()), slices_.size() - 1);
 }
 
+/// Unit vectors where slices begin, and where the last one ends.
+std::vector<Point> SightRange::borders() const {
+  std::vector<Point> directions;
+  for (std::size_t s = 0; s <= slices_.size(); ++s) {
+    const double angle = begin_ + (s == 0 ? 0 : end_of(s - 1));
+    directions.emplace_back(math::cos(angle), math::sin(angle));
+  }
+  return directions;
+}
+
 /// From the eye: a and b.
-void SightRange::add_edge(const Point& a, const Point& b, double begin) {
+void SightRange::add_edge(const Point& a, const Point& b, const std::vector<Point>& borders) {
   const double da = a.norm(), db = b.norm(), near = kNear * tolerance_;
   if (std::max(da, db) <= tolerance_) return;
-  if (std::min(da, db) <= near)
-    return add_edge_from_eye(da > db ? a : b, begin, std::min(da, db) <= kSlack * tolerance_);
-  const double turn = math::atan2(cross(a, b), a.dot(b)), first = math::atan2(a.y(), a.x()) - begin;
-  add_span(first + std::min(turn, 0.0), first + std::max(turn, 0.0), a, b, begin);
+  if (std::min(da, db) <= near) return add_edge_from_eye(da > db ? a : b, std::min(da, db) <= kSlack * tolerance_);
+  const double turn = math::atan2(cross(a, b), a.dot(b)), first = math::atan2(a.y(), a.x()) - begin_;
+  add_span(first + std::min(turn, 0.0), first + std::max(turn, 0.0), a, b, borders);
 }
 
 /// An edge that passes the eye nearer than kNear tolerances and ends at b: at an angle t from b it is at most
 /// near / sin t away. If it begins at the eye itself, it hides nothing beside it.
-void SightRange::add_edge_from_eye(const Point& b, double begin, bool at_eye) {
-  const double most = b.norm(), near = kNear * tolerance_, angle = math::atan2(b.y(), b.x()) - begin;
+void SightRange::add_edge_from_eye(const Point& b, bool at_eye) {
+  const double most = b.norm(), near = kNear * tolerance_, angle = math::atan2(b.y(), b.x()) - begin_;
   const double pad = kSlack * tolerance_ / most + kRounding;
   reliable_ = reliable_ && at_eye;
-  along_walls_.emplace_back(angle, pad);
+  along_walls_.emplace_back(angle - 2 * kPi * std::floor(angle / (2 * kPi)), pad);
   for (std::size_t s = 0; s < slices_.size(); ++s) {
     const double begins = s == 0 ? 0 : end_of(s - 1), ends = end_of(s);
     // From the middle of the slice, less half of it.
@@ -70,24 +86,23 @@ void SightRange::add_edge_from_eye(const Point& b, double begin, bool at_eye) {
 }
 
 /// The part of the edge ab between two angles, of which either may differ by full turns.
-void SightRange::add_span(double from, double to, const Point& a, const Point& b, double begin) {
+void SightRange::add_span(double from, double to, const Point& a, const Point& b, const std::vector<Point>& borders) {
   const double da = a.norm(), db = b.norm(), most = std::max(da, db);
   const double pad = kSlack * tolerance_ / std::min(da, db) + kRounding;
   const double turns = std::floor(from / (2 * kPi)) * 2 * kPi;
   const double area = cross(a, b);
   const Point along = b - a;
-  // The distance of the edge in a direction; in doubt that of its farther end.
-  const auto distance_at = [&](double angle) {
-    const double across = cross(Point(math::cos(begin + angle), math::sin(begin + angle)), along);
-    const double d = area / across;
+  // The distance of the edge at a border; in doubt that of its farther end.
+  const auto distance_at = [&](const Point& border) {
+    const double d = area / cross(border, along);
     return d > 0 && d < most ? d : most;
   };
   // The same, from below.
   const bool forwards = area > 0;
-  const auto sure_at = [&](double angle) {
+  const auto sure_at = [&](double angle, const Point& border) {
     if (angle <= from) return forwards ? da : db;
     if (angle >= to) return forwards ? db : da;
-    const double d = area / cross(Point(math::cos(begin + angle), math::sin(begin + angle)), along);
+    const double d = area / cross(border, along);
     return d > 0 ? std::min(d, most) : 0;
   };
   const double narrowing = std::max(0.0, math::cos(std::min(width_ / count(), kPi) / 2)) * (1 - kRounding);
@@ -99,9 +114,10 @@ void SightRange::add_span(double from, double to, const Point& a, const Point& b
     for (std::size_t s = slice_of(low); s <= last; ++s) {
       const double begins = s == 0 ? 0 : end_of(s - 1), ends = end_of(s);
       const bool inner = begins > from + shift + pad && ends < to + shift - pad;  // no end of the edge lies within
-      const double farthest = inner ? std::max(distance_at(begins), distance_at(ends)) : most;
+      const double farthest = inner ? std::max(distance_at(borders[s]), distance_at(borders[s + 1])) : most;
       slices_[s] = std::max(slices_[s], farthest * (1 + kRounding) + kSlack * tolerance_);
-      limit_sight(s, narrowing * std::min(sure_at(begins - shift), sure_at(ends - shift)) - kSlack * tolerance_);
+      const double sure = std::min(sure_at(begins - shift, borders[s]), sure_at(ends - shift, borders[s + 1]));
+      limit_sight(s, narrowing * sure - kSlack * tolerance_);
     }
   }
 }
@@ -113,28 +129,29 @@ void SightRange::add(double angle, double distance) {
   }
 }
 
-SightRange::Span SightRange::distances(const Edge& edge, double from, double to) const {
+/// Of an edge, from its pad before an angle to its pad after it.
+SightRange::Span SightRange::distances(const Edge& edge, double angle, const Point& direction) {
   const Point along = edge.b - edge.a;
   const double area = cross(edge.a, edge.b), most = std::max(edge.a.norm(), edge.b.norm());
-  const auto at = [&](double angle) {
-    if (angle <= edge.from) return edge.a.norm();
-    if (angle >= edge.to) return edge.b.norm();
-    return area / cross(Point(math::cos(begin_ + angle), math::sin(begin_ + angle)), along);
+  const auto at = [&](double by) {
+    if (angle + by <= edge.from) return edge.a.norm();
+    if (angle + by >= edge.to) return edge.b.norm();
+    return area / cross(turned_little(direction, by), along);
   };
-  const double first = at(from), last = at(to);
+  const double first = at(-edge.pad), last = at(edge.pad);
   if (!(first > 0 && last > 0)) return {0, most};
   return {std::min(first, last), std::min(std::max(first, last), most)};
 }
 
-SightRange::Answer SightRange::look(double angle, double distance) const {
+SightRange::Answer SightRange::look(double angle, const Point& direction, double distance) const {
   if (!reliable_) return Answer::unknown;
   for (const auto& [wall, pad] : along_walls_)
-    if (std::abs(std::remainder(angle - wall, 2 * kPi)) <= pad) return Answer::unknown;
+    if (const double off = std::abs(angle - wall); std::min(off, 2 * kPi - off) <= pad) return Answer::unknown;
   Span seen{kUnknown, 0};
   auto edge = std::ranges::upper_bound(edges_, angle + widest_pad_, {}, &Edge::from);
   while (edge != edges_.begin() && (--edge)->to >= angle - 2 * widest_pad_) {
     if (edge->from - edge->pad > angle || edge->to + edge->pad < angle) continue;
-    const Span span = distances(*edge, angle - edge->pad, angle + edge->pad);
+    const Span span = distances(*edge, angle, direction);
     seen = {std::min(seen.least, span.least), std::max(seen.most, span.most)};
   }
   const double slack = kSlack * tolerance_ + kRounding * distance;

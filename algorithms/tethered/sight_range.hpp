@@ -31,8 +31,9 @@ class SightRange {
   double sure(double from, double to) const;
 
   /// Is the point at this angle and distance seen? Not known within some tolerances of what bounds the sight.
+  /// `direction`: the unit vector at that angle, so that it is worked out once for the point as well.
   enum class Answer { seen, hidden, unknown };
-  Answer look(double angle, double distance) const;
+  Answer look(double angle, const Point& direction, double distance) const;
 
   /// The slice with an angle of the sector, its range, and the angle where it ends.
   std::size_t slice_of(double angle) const;
@@ -41,8 +42,9 @@ class SightRange {
 
  private:
   double count() const { return static_cast<double>(slices_.size()); }
-  void add_edge(const Point& a, const Point& b, double begin);
-  void add_edge_from_eye(const Point& b, double begin, bool at_eye);
+  std::vector<Point> borders() const;
+  void add_edge(const Point& a, const Point& b, const std::vector<Point>& borders);
+  void add_edge_from_eye(const Point& b, bool at_eye);
   /// An edge of what is seen, between two angles.
   struct Edge {
     double from, to;
@@ -52,16 +54,15 @@ class SightRange {
   struct Span {
     double least, most;
   };
-  /// The distances of an edge between two angles.
-  Span distances(const Edge& edge, double from, double to) const;
+  static Span distances(const Edge& edge, double angle, const Point& direction);
   void limit_sight(std::size_t slice, double distance) { sure_[slice] = std::min(sure_[slice], distance); }
-  void add_span(double from, double to, const Point& a, const Point& b, double begin);
+  void add_span(double from, double to, const Point& a, const Point& b, const std::vector<Point>& borders);
 
   double begin_ = 0, width_ = 0, tolerance_ = 0;
   std::vector<double> slices_, sure_;
   std::vector<Edge> edges_;                               // in the sector, by `from`; few overlap, by rounding
   double widest_pad_ = 0;                                 // of them
-  std::vector<std::pair<double, double>> along_walls_{};  // angles of edges that begin at the eye, and their pads
+  std::vector<std::pair<double, double>> along_walls_{};  // angles of edges that begin at the eye, 0 to 2 pi; pads
   bool reliable_ = true;                                  // no other edge passes the eye very near
 };
 

@@ -108,9 +108,30 @@ std::int32_t Mesh::locate(const Point& p, double tolerance) const {
   return best;
 }
 
+/// The triangle that has p strictly inside, if a few steps across edges lead there; otherwise kWall.
+std::int32_t Mesh::walk(const Point& p, std::int32_t from) const {
+  constexpr int kMostSteps = 6;  // the grid takes as long
+  std::int32_t t = from;
+  for (int step = 0; step < kMostSteps && t != kWall; ++step) {
+    std::size_t k = 0;
+    int side = 1;
+    for (; k < 3 && side > 0; ++k) side = orientation(vertex(t, k), vertex(t, k + 1), p);
+    if (side > 0) return t;
+    if (side == 0) return kWall;
+    t = triangle(t).neighbour[(k + 1) % 3];  // across the edge from vertex k - 1 to vertex k
+  }
+  return kWall;
+}
+
 bool Mesh::move_inside(Point& p, double tolerance, std::vector<std::int32_t>& found) const {
+  const std::int32_t near = found.empty() ? kWall : found.front();
   found.clear();
   if (grid_.empty() || !finite(p)) return false;
+  if (near >= 0 && static_cast<std::size_t>(near) < triangles_.size())
+    if (const std::int32_t t = walk(p, near); t != kWall) {
+      found.push_back(t);
+      return true;
+    }
   locate_all(p, found);
   if (found.empty()) {
     const std::int32_t home = locate(p, tolerance);

@@ -67,7 +67,8 @@ class Mesh {
   /// All triangles that contain p, in ascending order: several for a vertex or a point on an inner edge.
   void locate_all(const Point& p, std::vector<std::int32_t>& found) const;
   /// Moves p into the mesh, by at most `tolerance`, and lists the triangles that contain it up to rounding, in
-  /// ascending order. False if p is farther outside.
+  /// ascending order. False if p is farther outside. The search begins at what `found` holds: that of a point near by
+  /// makes it short.
   bool move_inside(Point& p, double tolerance, std::vector<std::int32_t>& found) const;
   /// The centroid of the largest triangle, the first of those of equal area; none without triangles.
   std::optional<Point> middle_of_largest_triangle() const;
@@ -77,6 +78,7 @@ class Mesh {
  private:
   void find_reflex_points();
   bool fan_is_reflex(std::int32_t first, std::size_t k) const;
+  std::int32_t walk(const Point& p, std::int32_t from) const;
 
   std::vector<Point> points_;
   std::vector<Triangle> triangles_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/disjoint_sets.hpp"
 #include "geometry/overlay/close_pairs.hpp"
 #include "geometry/overlay/edge_below.hpp"
 #include "geometry/overlay/half_edges.hpp"
@@ -158,8 +159,12 @@ void directed(const LatticePoint& p, const LatticePoint& q, Windings weight, F f
 
 /// Splits the edges at the cuts. Those without a cut are resolved then and keep their order.
 void split(const Edges& edges, const std::vector<Cut>& cuts, Edges& resolved, Edges& unresolved) {
+  std::size_t split_edges = 0;
+  for (std::size_t c = 0; c < cuts.size(); ++c) split_edges += c == 0 || cuts[c].edge != cuts[c - 1].edge ? 1 : 0;
   resolved.clear();
+  resolved.reserve(edges.size() - split_edges);
   unresolved.clear();
+  unresolved.reserve(cuts.size() + split_edges);
   std::vector<LatticePoint> stops;
   for (std::size_t i = 0, c = 0; i < edges.size(); ++i) {
     const OverlayEdge e = edges[i];
@@ -200,32 +205,93 @@ void resolve(Edges& edges) {
   edges = std::move(pieces.edges);
 }
 
-/// Computes the winding numbers to the left of each edge a -> b.
+/// Computes the winding numbers to the left of each edge a -> b: component by component, or, where millions of edges do
+/// not fit in the processor's cache, from left to right, as they are stored. To follow them wherever they lead takes
+/// twice as long then.
 class WindingNumbers {
  public:
   explicit WindingNumbers(const std::vector<OverlayEdge>& edges)
       : edges_(edges),
-        fans_(edges.size(), [&](std::uint32_t e) { return std::pair(edges[e].a, edges[e].b); }),
+        fans_(edges.size(), Ends{edges}),
+        below_(edges.size(), Ends{edges}),
         left_(edges.size()),
         reached_(fans_.vertices(), 0) {}
 
-  /// Component by component, in the order of their first vertices: what lies below such a vertex is known by then.
   std::vector<Windings> run() {
-    FewEdgesBelow below(edges_.size(), [this](std::uint32_t e) { return std::pair(edges_[e].a, edges_[e].b); });
-    for (std::uint32_t root = 0; root < fans_.vertices(); ++root) {
-      if (reached_[root] != 0) continue;
-      const std::uint32_t e = below.below(edges_[fans_.at(root).front().edge()].a);
-      walk_around(root, first_from_below(root), e == EdgeBelow::kNone ? Windings{} : left_[e]);
-      while (!open_.empty()) {
-        const HalfEdge h = open_.back();
-        open_.pop_back();
-        if (reached_[fans_.tail(h)] == 0) walk_around(fans_.tail(h), fans_.position(h), right_of(h));
-      }
-    }
+    edges_.size() <= kInCache ? run_by_components() : run_from_left();
     return std::move(left_);
   }
 
  private:
+  static constexpr std::size_t kInCache = std::size_t{1} << 15;  // edges
+  struct Ends {
+    const std::vector<OverlayEdge>& edges;
+    std::pair<LatticePoint, LatticePoint> operator()(std::uint32_t e) const { return {edges[e].a, edges[e].b}; }
+  };
+
+  /// In the order of their first vertices: what lies below such a vertex is known by then.
+  void run_by_components() {
+    passed_ = static_cast<std::uint32_t>(fans_.vertices());
+    for (std::uint32_t root = 0; root < passed_; ++root) {
+      if (reached_[root] != 0) continue;
+      begin_at(root);
+      follow_open();
+    }
+  }
+  void run_from_left() {
+    const std::vector<std::uint32_t> roots = first_vertices();
+    std::vector<std::uint32_t> waiting;  // what lies below them is not known yet
+    auto root = roots.begin();
+    for (passed_ = 0; passed_ < fans_.vertices(); ++passed_) {
+      const bool is_root = root != roots.end() && *root == passed_;
+      if (is_root && !begin_at(*root)) waiting.push_back(*root);
+      root += is_root ? 1 : 0;
+      if (reached_[passed_] == 0) reach_from_left(passed_);
+      follow_open();
+    }
+    for (const std::uint32_t r : waiting) {
+      begin_at(r);
+      follow_open();
+    }
+  }
+
+  /// Of each connected component, ascending.
+  std::vector<std::uint32_t> first_vertices() const {
+    DisjointSets components(fans_.vertices());
+    for (std::uint32_t e = 0; e < edges_.size(); ++e)
+      components.unite(fans_.tail(HalfEdge::forward(e)), fans_.tail(HalfEdge::backward(e)));
+    std::vector<bool> met(fans_.vertices());
+    std::vector<std::uint32_t> first;
+    for (std::uint32_t v = 0; v < fans_.vertices(); ++v) {
+      const std::size_t component = components.find(v);
+      if (!met[component]) first.push_back(v);
+      met[component] = true;
+    }
+    return first;
+  }
+  /// A component, at its first vertex. False, if what lies below is not known yet.
+  bool begin_at(std::uint32_t root) {
+    const std::uint32_t e = below_.below(edges_[fans_.at(root).front().edge()].a);
+    if (e != EdgeBelow::kNone && reached_[fans_.tail(HalfEdge::forward(e))] == 0 &&
+        reached_[fans_.tail(HalfEdge::backward(e))] == 0)
+      return false;
+    walk_around(root, first_from_below(root), e == EdgeBelow::kNone ? Windings{} : left_[e]);
+    return true;
+  }
+  /// From an edge that ends there and is known, if there is one. Otherwise what the vertex is connected with follows.
+  void reach_from_left(std::uint32_t vertex) {
+    const auto fan = fans_.at(vertex);
+    for (std::size_t k = 0; k < fan.size(); ++k)
+      if (!fan[k].is_forward() && reached_[fans_.head(fan[k])] != 0) return walk_around(vertex, k, right_of(fan[k]));
+  }
+  /// Back to vertices that have been passed.
+  void follow_open() {
+    while (!open_.empty()) {
+      const HalfEdge h = open_.back();
+      open_.pop_back();
+      if (reached_[fans_.tail(h)] == 0) walk_around(fans_.tail(h), fans_.position(h), right_of(h));
+    }
+  }
   /// The position of the half-edge just counter-clockwise of straight down at a component's first vertex: all lead to
   /// the right or straight up.
   std::size_t first_from_below(std::uint32_t root) const {
@@ -245,7 +311,7 @@ class WindingNumbers {
       if (h.is_forward()) first += e.weight.first, second += e.weight.second;
       left_[h.edge()] = {first, second};
       if (!h.is_forward()) first -= e.weight.first, second -= e.weight.second;
-      if (reached_[fans_.head(h)] == 0) open_.push_back(h.twin());
+      if (fans_.head(h) < passed_ && reached_[fans_.head(h)] == 0) open_.push_back(h.twin());
     }
   }
   Windings right_of(HalfEdge h) const {
@@ -255,8 +321,10 @@ class WindingNumbers {
 
   const std::vector<OverlayEdge>& edges_;
   VertexFans fans_;
+  FewEdgesBelow<Ends> below_;
   std::vector<Windings> left_;
   std::vector<std::uint8_t> reached_;  // by vertex
+  std::uint32_t passed_ = 0;           // so many vertices: the others are reached when it is their turn
   std::vector<HalfEdge> open_;         // their edges are known, the vertices they leave are not
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/overlay/arrangement.hpp"
+#include "geometry/spatial_order.hpp"
 
 namespace oxturn {
 namespace {
@@ -27,29 +28,6 @@ struct Overlay {
 Region combine(const Region& a, const Region& b, Inside inside) {
   Overlay overlay(a, b);
   return to_region(boundary_of(std::move(overlay.edges), inside), overlay.lattice);
-}
-
-/// Position along Morton's space-filling curve of a point in the unit square.
-std::uint64_t morton(double x, double y) {
-  std::uint64_t code = 0;
-  const auto i = static_cast<std::uint32_t>(x * 65535), j = static_cast<std::uint32_t>(y * 65535);
-  for (int bit = 15; bit >= 0; --bit) code = (code << 2) | ((i >> bit & 1u) << 1) | (j >> bit & 1u);
-  return code;
-}
-
-/// The indices of the boxes that are not empty, neighbours near each other.
-std::vector<std::size_t> spatial_order(const std::vector<Box>& boxes, const Box& whole) {
-  std::vector<std::pair<std::uint64_t, std::size_t>> order;
-  const Point size = whole.size().cwiseMax(1e-300);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (boxes[i].empty()) continue;
-    const Point at = (boxes[i].centre() - whole.low).cwiseQuotient(size).cwiseMax(0).cwiseMin(1);
-    order.emplace_back(morton(at.x(), at.y()), i);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<std::size_t> indices;
-  for (const auto& [code, i] : order) indices.push_back(i);
-  return indices;
 }
 
 using Boundaries = std::vector<std::vector<BoundaryEdge>>;
@@ -77,9 +55,7 @@ std::size_t edge_count(const Boundaries& boundaries) {
 /// The parts as unions of some of them. Groups of neighbours are united first, then groups of groups, as long as that
 /// halves their edges: parts that overlap many deep cost their sum, not its square.
 Boundaries few_unions(const std::vector<Region>& parts, const std::vector<Box>& boxes, const Lattice& lattice) {
-  Box whole;
-  for (const Box& box : boxes) whole.add(box);
-  const std::vector<std::size_t> order = spatial_order(boxes, whole);
+  const std::vector<std::size_t> order = spatial_order(boxes);
   std::size_t before = 0;
   for (const std::size_t k : order) before += vertex_count(parts[k]);
   Boundaries unions = united_groups(order.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {

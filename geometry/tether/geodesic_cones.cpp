@@ -99,21 +99,27 @@ double GeodesicCones::distance(Point p) const {
 
 std::int32_t GeodesicCones::last_root(Point& p) const {
   constexpr double kEqual = 1e-12;  // relative
-  thread_local std::vector<std::int32_t> found;
-  if (!finite(p) || !mesh_.move_inside(p, tolerance_, found)) return kNone;
-  const auto for_each_path = [&](auto f) {
-    for (const std::int32_t t : found)
-      for (const Cone& c : cones(t))
-        if (contains(c, p)) f(c.root, distance_by(c, p));
+  struct Found {
+    std::vector<std::int32_t> triangles;  // of the point before, mostly near by
+    std::vector<std::pair<double, std::int32_t>> paths;
   };
+  thread_local Found of_thread;
+  auto& [triangles, paths] = of_thread;
+  if (!finite(p) || !mesh_.move_inside(p, tolerance_, triangles)) return kNone;
+  paths.clear();
   double least = std::numeric_limits<double>::infinity();
-  for_each_path([&](std::int32_t, double d) { least = std::min(least, d); });
+  for (const std::int32_t t : triangles)
+    for (const Cone& c : cones(t)) {
+      if (!contains(c, p)) continue;
+      paths.emplace_back(distance_by(c, p), c.root);
+      least = std::min(least, paths.back().first);
+    }
   std::int32_t best = kNone;
-  for_each_path([&](std::int32_t i, double d) {
-    if (d > least * (1 + kEqual)) return;
+  for (const auto& [d, i] : paths) {
+    if (d > least * (1 + kEqual)) continue;
     const auto rank = [&](std::int32_t r) { return std::pair(root(r).corners, r); };
     if (best == kNone || rank(i) < rank(best)) best = i;
-  });
+  }
   return best;
 }
 

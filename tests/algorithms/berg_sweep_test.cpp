@@ -191,7 +191,7 @@ TEST(SightRange, WhatIsSurelySeenIsSeenAndThatIsMost) {
           const double turn = share * node.width, angle = node.begin + turn;
           const bool free = walls.contains(node.at, node.at + radius * Point(std::cos(angle), std::sin(angle)));
           const bool claimed = radius < node.range.sure(turn, turn);
-          const SightRange::Answer answer = node.range.look(turn, radius);
+          const SightRange::Answer answer = node.range.look(turn, Point(std::cos(angle), std::sin(angle)), radius);
           ++all;
           unknown += answer == SightRange::Answer::unknown;
           const bool wrong = answer == SightRange::Answer::seen     ? !free

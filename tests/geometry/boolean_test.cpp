@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "geometry/edge_index.hpp"
 #include "geometry/overlay/validity.hpp"
 #include "tests/geometry/samples.hpp"
 
@@ -160,6 +161,45 @@ TEST(Boolean, ManyPartsStackedDeep) {
     const Point p(rng.between(-0.3, 1.3), rng.between(-0.3, 1.3));
     if (samples::distance_to_boundary(u, p) < 1e-7) continue;
     EXPECT_EQ(contains(u, p), std::any_of(parts.begin(), parts.end(), [&](const Region& r) { return contains(r, p); }));
+  }
+}
+
+/// A band that winds round a point: seen from the left, its turns are connected only at the far right.
+Region wound_band(const Point& centre, int turns, double pitch, int per_turn) {
+  Ring band;
+  const auto add = [&](int k, double off) {
+    const double angle = 2 * kPi * k / per_turn;
+    band.push_back(centre + (off + pitch * (1 + double(k) / per_turn)) * Point(std::cos(angle), std::sin(angle)));
+  };
+  for (int k = 0; k <= turns * per_turn; ++k) add(k, pitch / 2);
+  for (int k = turns * per_turn; k >= 0; --k) add(k, 0);
+  return {{Polygon{band, {}}}};
+}
+
+// Overlays of many edges find their winding numbers from left to right, and components whose surroundings are not known
+// yet wait.
+TEST(Boolean, LargeOverlaysAgreeWithPoints) {
+  Rng rng(28);
+  constexpr int kStars = 40;
+  Region stars;
+  for (int i = 0; i < kStars; ++i)
+    for (int j = 0; j < kStars; ++j)
+      stars.polygons.push_back(samples::holed_star(rng, {i + rng.unit() / 20, j + rng.unit() / 20}, 0.45).polygons[0]);
+  for (const double pitch : {0.21, 0.9, 6.0}) {
+    SCOPED_TRACE(pitch);
+    const Point middle(kStars / 2.0, kStars / 2.0);
+    const Region band = wound_band(middle, static_cast<int>(25 / pitch), pitch, 400);
+    const Region both = intersect(stars, band), rest = subtract(stars, band);
+    expect_sound(both);
+    expect_sound(rest);
+    EXPECT_NEAR(area(both) + area(rest), area(stars), 1e-5);
+    const EdgeIndex in_stars(stars), in_band(band), in_both(both), in_rest(rest);
+    for (int k = 0; k < 20000; ++k) {
+      const Point p = rng.unit() * kStars * Point(1, 0) + rng.unit() * kStars * Point(0, 1);
+      if (in_stars.nearest(p, 1e-6) || in_band.nearest(p, 1e-6)) continue;
+      ASSERT_EQ(in_both.contains(p), in_stars.contains(p) && in_band.contains(p)) << p.transpose();
+      ASSERT_EQ(in_rest.contains(p), in_stars.contains(p) && !in_band.contains(p)) << p.transpose();
+    }
   }
 }
 
