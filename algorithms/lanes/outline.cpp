@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <tuple>
 
 #include "algorithms/lanes/flat_path.hpp"
@@ -148,11 +147,14 @@ class RingTree {
     const RingGrid grid(rings_, attached_);
     least_.assign(rings_.size(), kInfinity);
     blocked_.clear();
+    gathering_ = true;
     for (std::size_t i = 0; i + 1 < path_.size(); ++i) search(of_path(i), grid, reach);
     for (const Source& s : sources_) search(s, grid, reach);
+    put_in_heap();
     while (!offers_.empty()) {
-      const Offer offer = offers_.top();
-      offers_.pop();
+      std::ranges::pop_heap(offers_, std::greater<>());
+      const Offer offer = offers_.back();
+      offers_.pop_back();
       const double least = least_[offer.ring];
       if (attached_[offer.ring] || offer.distance > least) continue;
       if (offer.blocked) {
@@ -169,12 +171,24 @@ class RingTree {
     }
   }
 
+  /// The offers that have been gathered: the best one of each ring, and those with a wall in between.
+  void put_in_heap() {
+    gathering_ = false;
+    for (std::uint32_t ring = 0; ring < least_.size(); ++ring)
+      if (least_[ring] < kInfinity) offers_.push_back({least_[ring], ring, std::nullopt});
+    std::ranges::make_heap(offers_, std::greater<>());
+  }
+  void push(const Offer& offer) {
+    offers_.push_back(offer);
+    if (!gathering_) std::ranges::push_heap(offers_, std::greater<>());
+  }
+
   Source of_path(std::size_t segment) const { return {std::nullopt, segment, path_[segment], path_[segment + 1]}; }
 
   void accept(std::uint32_t ring, const Attachment& how) {
     least_[ring] = how.distance;
     how_[ring] = how;
-    offers_.push({how.distance, ring, std::nullopt});
+    if (!gathering_) push({how.distance, ring, std::nullopt});
   }
   bool in_sight(const Point& p, const Point& q) const { return around_->walls().contains(p, q); }
   /// Among the walls; infinity if above `longest`.
@@ -253,7 +267,7 @@ class RingTree {
         const Attachment how{m.distance, source.ring, source.segment, distance(source.a, m.first),
                              m.first,    m.second,    item.edge};
         if (around_ == nullptr || in_sight(m.first, m.second)) return accept(item.ring, how);
-        offers_.push({how.distance, item.ring, static_cast<std::uint32_t>(blocked_.size())});
+        push({how.distance, item.ring, static_cast<std::uint32_t>(blocked_.size())});
         blocked_.push_back(how);
       });
     }
@@ -272,7 +286,8 @@ class RingTree {
   // Of the present reach: what is known of the drive to each ring, and all offers that may be shorter.
   std::vector<double> least_;
   std::vector<Attachment> blocked_;
-  std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
+  std::vector<Offer> offers_;  // a heap
+  bool gathering_ = false;     // offers of the path, or of rings attached before, which are not in order yet
 };
 
 FlatPath flattened(const Path& path, const Point& start) {

@@ -23,13 +23,14 @@ constexpr std::size_t kInGroup = 256;    // triangles
 }  // namespace
 
 NearestComponent::NearestComponent(const Problem& problem)
-    : problem_(problem), wave_(problem), in_triangle_(wave_.triangle_count()) {}
+    : problem_(problem), wave_(problem), in_triangle_(wave_.triangle_count(), kNone) {}
 
 void NearestComponent::add(const Point& p, int component, std::size_t id) {
   const auto triangle = wave_.triangle_of(p);
   if (!triangle) return;
-  in_triangle_[*triangle].push_back(static_cast<std::uint32_t>(entries_.size()));
-  entries_.push_back({p, component, id, static_cast<std::uint32_t>(*triangle)});
+  const auto number = static_cast<std::uint32_t>(entries_.size());
+  const std::uint32_t next = std::exchange(in_triangle_[*triangle], number);
+  entries_.push_back({p, component, id, static_cast<std::uint32_t>(*triangle), next});
 }
 
 void NearestComponent::remove(int component) {
@@ -108,13 +109,24 @@ void NearestComponent::forget_removed(std::vector<std::uint32_t>& entries) const
   std::erase_if(entries, [this](std::uint32_t e) { return removed(entries_[e].component); });
 }
 
-/// The entry in a triangle that is nearest to a point; nullopt if there is none.
+/// The entry in a triangle that is nearest to a point, the first of those equally near; nullopt if there is none.
+/// Removed ones are left out from then on.
 std::optional<std::uint32_t> NearestComponent::nearest_in(std::size_t triangle, const Point& to) {
-  std::vector<std::uint32_t>& here = in_triangle_[triangle];
-  forget_removed(here);
-  const auto best =
-      std::ranges::min_element(here, {}, [&](std::uint32_t e) { return (entries_[e].at - to).squaredNorm(); });
-  return best == here.end() ? std::nullopt : std::optional(*best);
+  std::optional<std::uint32_t> best;
+  double least = kInfinity;
+  for (std::uint32_t* link = &in_triangle_[triangle]; *link != kNone;) {
+    Entry& entry = entries_[*link];
+    if (removed(entry.component)) {
+      *link = entry.next;
+      continue;
+    }
+    if (const double d = (entry.at - to).squaredNorm(); d <= least) {  // those before come later in the list
+      least = d;
+      best = *link;
+    }
+    link = &entry.next;
+  }
+  return best;
 }
 
 /// Made when first needed; entries may still be added later.

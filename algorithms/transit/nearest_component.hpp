@@ -51,7 +51,9 @@ class NearestComponent {
     int component;
     std::size_t id;
     std::uint32_t triangle;
+    std::uint32_t next;  // entry in the triangle
   };
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   struct Nearest {
     std::optional<Found> found = std::nullopt;
     double metres = std::numeric_limits<double>::infinity();
@@ -73,8 +75,8 @@ class NearestComponent {
   const Problem& problem_;
   MeshWave wave_;
   std::vector<Entry> entries_;
-  std::vector<std::vector<std::uint32_t>> in_triangle_;  // entries, by triangle
-  std::optional<PointGrid> grid_;                        // of the first entries
+  std::vector<std::uint32_t> in_triangle_;  // its last entry, by triangle; kNone: none
+  std::optional<PointGrid> grid_;           // of the first entries
   std::size_t in_grid_ = 0;
   std::optional<TriangleGroups> groups_;              // made when a wave first meets nothing near by
   std::vector<std::vector<std::uint32_t>> in_group_;  // the first entries, by group
