@@ -366,7 +366,7 @@ TEST(Leashed, ThePassesAndTheirPocketsMissNothing) {
   int pockets = 0;
   for (const auto seed : seeds(3)) {
     std::vector<Map> maps = tether_maps(seed);
-    maps.push_back(generate("speckle", {{"width", 10.0}, {"height", 8.0}}, seed));
+    maps.push_back(generate("speckle", {{"width", 30.0}, {"height", 30.0}}, seed));
     for (const Map& map : maps)
       for (const double w : {0.2, 0.4, 1.5}) {
         SCOPED_TRACE(fmt::format("{} tool {}", map.source, w));
@@ -378,13 +378,29 @@ TEST(Leashed, ThePassesAndTheirPocketsMissNothing) {
           const EdgeIndex space(passes.problem.configuration_space()), whole(component.problem.configuration_space());
           EXPECT_TRUE(space.contains(component.problem.start()) ||
                       space.nearest(component.problem.start(), problem.tolerance()));
-          const EdgeIndex missed(passes.pockets);
+          const EdgeIndex missed(passes.pockets), all(problem.configuration_space()), target(problem.target());
+          // In the component, or where the tool reaches beyond its walls.
+          const auto is_for_passes = [&](const Point& p) {
+            if (whole.contains(p)) return true;
+            if (all.contains(p) || !target.contains(p)) return false;
+            const auto here = whole.nearest(p, 0.49 * w), anywhere = all.nearest(p);
+            return here && here->distance <= anywhere->distance + problem.tolerance();
+          };
           pockets += static_cast<int>(passes.pockets.polygons.size());
-          const Box box = bounding_box(component.problem.configuration_space());
+          Box box = bounding_box(component.problem.configuration_space());
+          box.grow(w / 2);
           Rng rng(seed);
-          for (int k = 0; k < 1000; ++k) {
-            const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
-            if (!whole.contains(p) || space.contains(p) || space.nearest(p, 0.502 * w)) continue;
+          const auto in_box = [&] {
+            return Point(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+          };
+          const auto by_cut = [&]() -> Point {  // most of what passes may miss is there
+            const Polyline& line = tether.cut()[rng.below(tether.cut().size())];
+            const std::size_t s = rng.below(line.size() - 1);
+            return lerp(line[s], line[s + 1], rng.unit()) + w * Point(rng.unit() - 0.5, rng.unit() - 0.5);
+          };
+          for (int k = 0; k < 4000; ++k) {
+            const Point p = k % 4 == 0 || tether.cut().empty() ? in_box() : by_cut();
+            if (!is_for_passes(p) || space.contains(p) || space.nearest(p, 0.502 * w)) continue;
             EXPECT_TRUE(!passes.pockets.empty() && missed.contains(p)) << p.x() << ' ' << p.y();
           }
         }
