@@ -1,4 +1,5 @@
-// The parts of an overlay against brute force: spread_sort, close pairs, splitting edges, the edge below a point.
+// The parts of an overlay against brute force: spread_sort, close pairs, splitting edges, the edge below a point, the
+// order of parts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "geometry/overlay/arrangement.hpp"
 #include "geometry/overlay/close_pairs.hpp"
 #include "geometry/overlay/edge_below.hpp"
+#include "geometry/spatial_order.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -170,6 +172,31 @@ TEST(EdgeBelow, IsTheHighestOfTheEdgesBelow) {
       EXPECT_EQ(e == EdgeBelow::kNone ? e : edges[e].id, best);
     }
   }
+}
+
+TEST(SpatialOrder, KeepsNeighboursTogetherAndLosesNone) {
+  Rng rng(31);
+  Region scattered;
+  for (int k = 0; k < 2000; ++k) {
+    const Point at(100 * rng.unit(), 30 * rng.unit());
+    scattered.polygons.push_back({{at, at + Point(0.1, 0), at + Point(0, 0.1)}, {}});
+  }
+  const auto walked = [](const Region& region) {
+    double sum = 0;
+    for (std::size_t k = 1; k < region.polygons.size(); ++k)
+      sum += distance(region.polygons[k - 1].outer[0], region.polygons[k].outer[0]);
+    return sum;
+  };
+  Region ordered = scattered;
+  put_neighbours_together(ordered);
+  EXPECT_LT(walked(ordered), walked(scattered) / 15);
+  const auto left = [](const Polygon& p) { return std::pair(p.outer[0].x(), p.outer[0].y()); };
+  std::ranges::sort(ordered.polygons, {}, left);
+  std::ranges::sort(scattered.polygons, {}, left);
+  ASSERT_EQ(ordered.polygons.size(), scattered.polygons.size());
+  for (std::size_t k = 0; k < ordered.polygons.size(); ++k)
+    EXPECT_EQ(ordered.polygons[k].outer, scattered.polygons[k].outer);
+  EXPECT_TRUE(spatial_order({Box{}, Box{}}).empty());
 }
 
 }  // namespace
