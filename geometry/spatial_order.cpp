@@ -29,6 +29,7 @@ std::vector<std::size_t> spatial_order(const std::vector<Box>& boxes) {
   }
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> indices;
+  indices.reserve(order.size());
   for (const auto& [code, i] : order) indices.push_back(i);
   return indices;
 }

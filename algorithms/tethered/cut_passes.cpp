@@ -225,6 +225,7 @@ class Strips {
  public:
   Strips(const std::vector<StripPiece>& pieces, double w) : w_(w) {
     std::vector<Box> boxes;
+    boxes.reserve(pieces.size());
     for (const StripPiece& piece : pieces) boxes.push_back(box_of(piece));
     const BoxIndex index(boxes);
     const auto components = connected_components(pieces.size(), [&](std::size_t i, auto reach) {
