@@ -102,11 +102,6 @@ BergNodeSamples::Steps BergNodeSamples::steps_of(const Arc& arc) const {
   return steps;
 }
 
-Point BergNodeSamples::direction(double turn) const {
-  const double angle = node_.begin + turn;
-  return {math::cos(angle), math::sin(angle)};
-}
-
 bool BergNodeSamples::is_trimmed(const Point& p) const {
   return sampling_.trim.shortest && std::abs(length_ - sampling_.trim.shortest(p)) > sampling_.trim.slack;
 }

@@ -110,7 +110,7 @@ class BergNodeSamples {
   void sample_laps();
   void split_arcs(std::vector<std::int32_t>& events);
   Steps steps_of(const Arc& arc) const;
-  Point direction(double turn) const;  // from the node, a unit vector
+  Point direction(double turn) const { return rotated({1, 0}, node_.begin + turn); }  // from the node, a unit vector
   Point at(double turn) const { return node_.at + radius_ * direction(turn); }
   void sample(Arc& arc);
   double look_at(double k, Walk& walk);

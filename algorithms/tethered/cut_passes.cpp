@@ -319,6 +319,14 @@ class Strips {
   std::vector<Group> groups_;
 };
 
+/// Does an edge of a ring or region come nearer to walls than `within`?
+template <class Shape>
+bool comes_near(const EdgeIndex& walls, const Shape& shape, double within) {
+  bool near = false;
+  for_each_edge(shape, [&](const Point& a, const Point& b) { near = near || walls.nearest(a, b, within); });
+  return near;
+}
+
 /// What the tool would reach from `left_out` of the space beyond its walls.
 Region beyond_walls(const RingBoxes& target, const RingBoxes& space, const Region& left_out, double w) {
   const Region swept = dilate(left_out, w / 2, w / kChordsPerWidth, Bound::inside);
@@ -337,15 +345,11 @@ Region unreached(const Problem& problem, const RingBoxes& target, const RingBoxe
                  const Region& driven) {
   const double w = problem.robot().tool_width;
   std::vector<Polyline> lines;
-  bool near_walls = false;
-  for_each_edge(left_out, [&](const Point& a, const Point& b) {
-    lines.push_back({a, b});
-    near_walls = near_walls || problem.walls().nearest(a, b, w / 2).has_value();
-  });
+  for_each_edge(left_out, [&](const Point& a, const Point& b) { lines.push_back({a, b}); });
   if (lines.empty()) return {};
   const Region near = intersect(driven, squares_around(lines, kDrivenWithin * w, kSquare * w));
   const Region reached = dilate(near, w / 2, w / kChordsPerWidth, Bound::inside);
-  if (!near_walls) return subtract(left_out, reached);
+  if (!comes_near(problem.walls(), left_out, w / 2)) return subtract(left_out, reached);
   return subtract(unite({left_out, beyond_walls(target, space, left_out, w)}), reached);
 }
 
@@ -358,11 +362,7 @@ void leave_out_reached(Region& pieces, const EdgeIndex& driven, const EdgeIndex&
     around.grow(kReach * w);
     near.clear();
     driven.for_each_near(around, [&](std::size_t e) { near.push_back({driven.edges()[e].a, driven.edges()[e].b}); });
-    if (!cover_inside(near, kReach * w, piece.outer)) return false;
-    bool by_walls = false;
-    for_each_edge(piece.outer,
-                  [&](const Point& a, const Point& b) { by_walls = by_walls || walls.nearest(a, b, w / 2); });
-    return !by_walls;
+    return cover_inside(near, kReach * w, piece.outer) && !comes_near(walls, piece.outer, w / 2);
   });
 }
 

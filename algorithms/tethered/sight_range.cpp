@@ -35,7 +35,7 @@ SightRange::SightRange(const Point& eye, double begin, double width, const Ring&
       tolerance_(tolerance),
       slices_(std::clamp<std::size_t>(kSlicesPerEdge * seen.size(), 1, kMostSlices), 0.0),
       sure_(slices_.size(), kUnknown) {
-  const std::vector<Point> borders = this->borders();
+  const std::vector<Point> borders = border_directions();
   for (std::size_t i = 0; i < seen.size(); ++i) add_edge(seen[i] - eye, seen[(i + 1) % seen.size()] - eye, borders);
   std::ranges::replace(sure_, kUnknown, 0.0);
   std::ranges::stable_sort(edges_, {}, &Edge::from);
@@ -49,12 +49,10 @@ std::size_t SightRange::slice_of(double angle) const {
 }
 
 /// Unit vectors where slices begin, and where the last one ends.
-std::vector<Point> SightRange::borders() const {
+std::vector<Point> SightRange::border_directions() const {
   std::vector<Point> directions;
-  for (std::size_t s = 0; s <= slices_.size(); ++s) {
-    const double angle = begin_ + (s == 0 ? 0 : end_of(s - 1));
-    directions.emplace_back(math::cos(angle), math::sin(angle));
-  }
+  for (std::size_t s = 0; s <= slices_.size(); ++s)
+    directions.push_back(rotated({1, 0}, begin_ + (s == 0 ? 0 : end_of(s - 1))));
   return directions;
 }
 

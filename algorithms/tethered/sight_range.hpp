@@ -42,7 +42,7 @@ class SightRange {
 
  private:
   double count() const { return static_cast<double>(slices_.size()); }
-  std::vector<Point> borders() const;
+  std::vector<Point> border_directions() const;
   void add_edge(const Point& a, const Point& b, const std::vector<Point>& borders);
   void add_edge_from_eye(const Point& b, bool at_eye);
   /// An edge of what is seen, between two angles.

@@ -243,9 +243,7 @@ class WindingNumbers {
     std::vector<std::uint32_t> waiting;  // what lies below them is not known yet
     auto root = roots.begin();
     for (passed_ = 0; passed_ < fans_.vertices(); ++passed_) {
-      const bool is_root = root != roots.end() && *root == passed_;
-      if (is_root && !begin_at(*root)) waiting.push_back(*root);
-      root += is_root ? 1 : 0;
+      if (root != roots.end() && *root == passed_ && !begin_at(*root++)) waiting.push_back(passed_);
       if (reached_[passed_] == 0) reach_from_left(passed_);
       follow_open();
     }

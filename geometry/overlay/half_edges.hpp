@@ -79,25 +79,22 @@ class VertexFans {
   /// Merges the lower ends, which come sorted, with the sorted upper ends; numbers the vertices.
   template <class Ends>
   void sort_by_vertex(std::size_t n, Ends ends) {
-    const auto lower_end = [&](std::uint32_t e) {
+    const auto end_of = [&](std::uint32_t e, bool lower) {
       const auto [a, b] = ends(e);
-      return a < b ? End{sort_key(a), HalfEdge::forward(e)} : End{sort_key(b), HalfEdge::backward(e)};
+      return (a < b) == lower ? End{sort_key(a), HalfEdge::forward(e)} : End{sort_key(b), HalfEdge::backward(e)};
     };
     std::vector<End> upper(n);
-    for (std::uint32_t e = 0; e < n; ++e) {
-      const auto [a, b] = ends(e);
-      upper[e] = a < b ? End{sort_key(b), HalfEdge::backward(e)} : End{sort_key(a), HalfEdge::forward(e)};
-    }
+    for (std::uint32_t e = 0; e < n; ++e) upper[e] = end_of(e, false);
     spread_sort(
         upper, [](const End& e) { return e.key; },
         [](const End& e, const End& f) { return e.key != f.key ? e.key < f.key : e.half_edge < f.half_edge; });
     first_.reserve(n + 1);
     std::uint64_t key = 0;
-    End lower = n > 0 ? lower_end(0) : End{};
+    End lower = n > 0 ? end_of(0, true) : End{};
     for (std::uint32_t k = 0, l = 0, u = 0; k < 2 * n; ++k) {
       const bool is_lower = l < n && (u == n || lower.key <= upper[u].key);
       const End end = is_lower ? lower : upper[u++];
-      if (is_lower && ++l < n) lower = lower_end(l);
+      if (is_lower && ++l < n) lower = end_of(l, true);
       if (k == 0 || end.key != key) first_.push_back(k);
       key = end.key;
       half_edges_[k] = end.half_edge;
