@@ -241,8 +241,21 @@ class PredictiveDrive {
     driven_.add(line);
   }
 
+  /// A stretch in one sense.
+  struct Candidate {
+    const Stretch* stretch = nullptr;
+    bool reversed = false;
+    double bound;        // of its value: if the drive there is straight and all beside it is uncovered
+    std::size_t number;  // in the order of the pieces and their stretches
+    double share_beside = 1;
+    bool looked_beside = false;
+    bool settled = false;  // the wave has met it, or never will
+    const Point& begin() const { return reversed ? stretch->points.back() : stretch->points.front(); }
+  };
+
   /// The stretch of greatest value, in the sense in which it is driven; empty if none is left. Of equal values the
-  /// first.
+  /// first. Candidates come in the order of their bounds, and again when their bound is exact but for walls, so that few
+  /// have to be looked at. If a path leads almost straight to the first of all, that is it.
   Polyline best_line() {
     std::deque<Stretch> rounds;
     std::vector<Candidate> candidates = this->candidates(rounds), hidden;
@@ -251,40 +264,32 @@ class PredictiveDrive {
     };
     std::ranges::make_heap(candidates, later);
     Candidate best{.bound = 0, .number = 0};
-    while (!candidates.empty() && candidates.front().bound >= best.bound && candidates.front().bound > 0) {
+    while (best.stretch == nullptr && !candidates.empty() && candidates.front().bound > 0) {
       std::ranges::pop_heap(candidates, later);
       Candidate& next = candidates.back();
-      next.share_beside = share_beside(next.stretch->points);
-      next.bound = value(*next.stretch, distance(path_.at(), next.begin()), next.share_beside);
-      if (next.bound >= best.bound) {
-        if (links_by_path_ && !connector_.straight(path_.at(), next.begin()))
-          hidden.push_back(std::move(next));
-        else
-          keep_better(best, next);
+      if (!next.looked_beside) {
+        look_beside(next);
+        std::ranges::push_heap(candidates, later);
+        continue;
       }
+      const bool near =
+          !links_by_path_ || connector_.straight(path_.at(), next.begin()) || (hidden.empty() && is_near(next.begin()));
+      if (near)
+        best = next;
+      else
+        hidden.push_back(next);
       candidates.pop_back();
     }
-    find_hidden(hidden, best);
+    if (!hidden.empty()) find_hidden(hidden, best);
     if (best.stretch == nullptr) return {};
     const Polyline& line = best.stretch->points;
     return best.reversed ? Polyline(line.rbegin(), line.rend()) : line;
   }
 
-  struct Candidate;
-  static void keep_better(Candidate& best, Candidate& next) {
-    if (next.bound > best.bound || (next.bound == best.bound && next.number < best.number)) best = std::move(next);
-  }
-
-  /// Looks among the candidates that are not in straight reach for a better one. If a path leads to the best of them
-  /// almost straight, that is it; otherwise a wave finds those near by path.
+  /// Looks with a wave among the candidates that are not in straight reach for a better one.
   void find_hidden(std::vector<Candidate>& hidden, Candidate& best) {
-    std::erase_if(hidden, [&](const Candidate& c) { return c.bound < best.bound; });
-    const auto first = std::ranges::max_element(hidden, [](const Candidate& a, const Candidate& b) {
-      return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
-    });
-    if (first != hidden.end() && is_near(first->begin())) return keep_better(best, *first);
     const auto from = wave_.triangle_of(path_.at());
-    if (hidden.empty() || !from) return;
+    if (!from) return;
     std::vector<std::pair<std::size_t, std::size_t>> in_triangle;  // and the number in `hidden`
     for (std::size_t k = 0; k < hidden.size(); ++k)
       if (const auto t = wave_.triangle_of(hidden[k].begin()))
@@ -336,16 +341,6 @@ class PredictiveDrive {
     std::vector<std::pair<double, std::size_t>> heap_;
   };
 
-  /// A stretch in one sense.
-  struct Candidate {
-    const Stretch* stretch = nullptr;
-    bool reversed = false;
-    double bound;        // of its value: if the drive there is straight and all beside it is uncovered
-    std::size_t number;  // in the order of the pieces and their stretches
-    double share_beside = 1;
-    bool settled = false;  // the wave has met it, or never will
-    const Point& begin() const { return reversed ? stretch->points.back() : stretch->points.front(); }
-  };
   /// `rounds` gets those that no piece keeps.
   std::vector<Candidate> candidates(std::deque<Stretch>& rounds) const {
     std::vector<Candidate> found;
@@ -360,6 +355,11 @@ class PredictiveDrive {
     return found;
   }
 
+  void look_beside(Candidate& c) const {
+    c.looked_beside = true;
+    c.share_beside = share_beside(c.stretch->points);
+    c.bound = value(*c.stretch, distance(path_.at(), c.begin()), c.share_beside);
+  }
   /// Of a line a tool width inside a stretch, how much lies in what is left; sampled every tool width.
   double share_beside(const Polyline& line) const {
     int inside = 0, all = 0;

@@ -13,6 +13,7 @@ namespace {
 // Midpoints of triangle sides measure distance roughly, so the nearest component may be met as the second or third. So
 // many are compared by the shortest paths through the triangles by which the wave came.
 constexpr std::size_t kCandidates = 4;
+constexpr double kRoughly = 1.5;  // a wave's metres over those of the shortest path
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAlmostStraight = 1.3;  // straight distances
@@ -168,7 +169,7 @@ NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std:
   std::set<int> components;
   Nearest best{.found = std::nullopt, .metres = longest};
   const auto meet = [&](std::size_t t) {
-    if (wave_.metres(t) >= longest) return true;
+    if (wave_.metres(t) >= std::min(longest, kRoughly * best.metres)) return true;
     const auto entry = nearest_in(t, wave_.entered_at(t));
     if (!entry) return false;
     components.insert(entries_[*entry].component);
