@@ -11,6 +11,7 @@ namespace oxturn {
 /// As many rows as make about two entries for each edge, but no more than edges.
 EdgeRows::EdgeRows(const Region& region) {
   std::vector<Edge> all;
+  all.reserve(vertex_count(region));
   double rise = 0, low = std::numeric_limits<double>::infinity(), high = -low;
   for_each_edge(region, [&](const Point& a, const Point& b) {
     if (a.y() == b.y()) return;  // no horizontal ray crosses it

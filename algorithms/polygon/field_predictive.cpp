@@ -62,7 +62,6 @@ constexpr double kDetour = 3;             // straight distances, and
 constexpr double kDetourMore = 10;        // tool widths: a path that is not longer than both counts as straight
 constexpr double kAlmostStraight = 1.5;   // straight distances: a path that a search finds with little effort
 constexpr double kCell = 32;              // tool widths: of the grid in which driven lines are found
-constexpr int kAskedOnce = 4;             // points of a piece, before it gets rows of its edges
 constexpr std::size_t kEntries = 16;      // about so many vertices of a block, to find the nearest one
 constexpr double kMostEffort = 5e5;       // of a block: vertices times area in squares of the tool's width
 constexpr std::size_t kFewVertices = 64;  // of a block: its size does not matter, each stretch costs next to nothing
@@ -91,7 +90,8 @@ double turn_at(const Point& before, const Point& at, const Point& after) {
 Stretch stretch_of(const Ring& ring, std::size_t from, std::size_t to, const Stretch& round) {
   Stretch s = round;
   const std::size_t n = ring.size();
-  s.points = {ring[from]};
+  s.points.reserve((to + n - from - 1) % n + 2);
+  s.points.push_back(ring[from]);
   for (std::size_t i = (from + 1) % n;; i = (i + 1) % n) {
     s.points.push_back(ring[i]);
     if (i == to) break;
@@ -110,7 +110,6 @@ class Piece {
   const Box& box() const { return box_; }
   bool contains(const Point& p) const {
     if (!box_.contains(p)) return false;
-    if (!rows_ && asked_++ < kAskedOnce) return oxturn::contains(region_, p);
     if (!rows_) rows_.emplace(region_);
     return rows_->contains(p);
   }
@@ -143,8 +142,7 @@ class Piece {
   }
 
   Region region_;
-  mutable int asked_ = 0;
-  mutable std::optional<EdgeRows> rows_;  // made when it pays: many pieces are cut again before
+  mutable std::optional<EdgeRows> rows_;  // made when first needed: many pieces are cut again before
   Box box_;
   std::vector<Stretch> stretches_;
   std::vector<std::pair<Ring, Stretch>> smooth_;
