@@ -180,11 +180,9 @@ class PiecesToBe {
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
-  /// Those that have to be split again, if pieces can meet in the given pairs of edges only, and within an edge.
+  /// Those that have to be split again, if pieces can meet in the given pairs of edges only. Pieces of one edge meet at
+  /// their ends only.
   Edges to_be_split(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
-    for (std::uint32_t i = 0; i < edges_.size(); ++i)
-      if (pieces(i) > 1 && !are_long(i))
-        for (std::size_t p = 1; p < pieces(i); ++p) look_back(i, p);
     for (const auto& [i, j] : pairs)
       if ((pieces(i) > 1 || pieces(j) > 1) && !meet_at_stops_only(i, j)) look_at(i, j);
     return std::move(found_);
@@ -208,14 +206,6 @@ class PiecesToBe {
     return p < q ? OverlayEdge{p, q, {}} : OverlayEdge{q, p, {}};
   }
 
-  /// Are all pieces of an edge so long that they form a line without any turn worth speaking of?
-  bool are_long(std::uint32_t edge) const {
-    const LatticePoint d = edges_[edge].b - edges_[edge].a;
-    const std::int64_t least = 16 * std::int64_t{wide(edges_[edge])};
-    for (std::size_t p = 0; p < pieces(edge); ++p)
-      if (dot(d, stop(edge, p + 1) - stop(edge, p)) < least) return false;
-    return true;
-  }
   /// Are all stops of either edge off the other one's line, but for common ones?
   bool meet_at_stops_only(std::uint32_t i, std::uint32_t j) const {
     return pieces(i) <= kFew && pieces(j) <= kFew && are_off_or_common(i, j) && are_off_or_common(j, i);
@@ -252,15 +242,6 @@ class PiecesToBe {
     const bool many = (of_i.to - of_i.from) * (of_j.to - of_j.from) > kMany;
     for (std::size_t p = of_i.from; p < of_i.to; ++p)
       for (std::size_t q = of_j.from; q < of_j.to; ++q) look_at(piece(i, p), piece(j, q), many);
-  }
-  /// At a piece of an edge and those before it that are not certainly farther than two quanta.
-  void look_back(std::uint32_t edge, std::size_t p) {
-    const LatticePoint d = edges_[edge].b - edges_[edge].a;
-    const std::int64_t least = dot(d, stop(edge, p) - edges_[edge].a) - 4 * std::int64_t{wide(edges_[edge])};
-    for (std::size_t q = p; q-- > 0;) {
-      look_at(piece(edge, q), piece(edge, p), false);
-      if (dot(d, stop(edge, q) - edges_[edge].a) < least) return;
-    }
   }
   void look_at(const OverlayEdge& p, const OverlayEdge& q, bool is_found) {
     if (p.a == p.b || q.a == q.b) return;
