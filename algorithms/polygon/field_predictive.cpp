@@ -54,7 +54,6 @@
 namespace oxturn {
 namespace {
 
-constexpr double kTurn = kPi / 4;         // a stretch ends at sharper turns
 constexpr double kChord = 0.01;           // tool widths: error of arcs, and by which what is left is simplified
 constexpr double kShortestStretch = 0.5;  // tool widths
 constexpr double kWorkLink = 2;           // tool widths: shorter links are driven with the tool on
@@ -81,10 +80,34 @@ struct Stretch {
   double round_metres = 0, round_turns = 0;  // of the whole ring; turns in radians
 };
 
-double turn_at(const Point& before, const Point& at, const Point& after) {
-  const Point a = at - before, b = after - at;
-  return std::abs(math::atan2(cross(a, b), a.dot(b)));
-}
+/// The sum of turns, whichever way each goes: directions are multiplied as complex numbers, so that many turns take one
+/// arc tangent.
+class TurnSum {
+ public:
+  void add(double dot, double cross) {
+    const double across = std::abs(cross);
+    product_ = {product_.x() * dot - product_.y() * across, product_.x() * across + product_.y() * dot};
+    if (++factors_ == kMostFactors || product_.y() >= product_.x()) take_product();
+  }
+  double radians() {
+    take_product();
+    return sum_;
+  }
+
+ private:
+  static constexpr int kMostFactors = 8;  // their product neither overflows nor vanishes
+
+  void take_product() {
+    const double turn = math::atan2(product_.y(), product_.x());
+    sum_ += turn < 0 ? turn + 2 * kPi : turn;
+    product_ = {1, 0};
+    factors_ = 0;
+  }
+
+  Point product_{1, 0};
+  int factors_ = 0;
+  double sum_ = 0;
+};
 
 /// The part of the ring from one vertex to another, all of it if they are the same; the rest is that of the round.
 Stretch stretch_of(const Ring& ring, std::size_t from, std::size_t to, const Stretch& round) {
@@ -129,13 +152,17 @@ class Piece {
     const std::size_t n = ring.size();
     std::vector<std::size_t> cuts;
     Stretch round;
+    TurnSum turns;
+    Point before = ring[0] - ring[n - 1];
     for (std::size_t i = 0; i < n; ++i) {
-      const Point& at = ring[i];
-      const double turn = turn_at(ring[(i + n - 1) % n], at, ring[(i + 1) % n]);
-      if (turn > kTurn) cuts.push_back(i);
-      round.round_turns += turn;
-      round.round_metres += distance(at, ring[(i + 1) % n]);
+      const Point after = ring[(i + 1) % n] - ring[i];
+      const double along = before.dot(after), across = cross(before, after);
+      if (std::abs(across) > along) cuts.push_back(i);
+      turns.add(along, across);
+      round.round_metres += after.norm();
+      before = after;
     }
+    round.round_turns = turns.radians();
     if (cuts.empty()) smooth_.emplace_back(ring, round);
     for (std::size_t k = 0; k < cuts.size(); ++k)
       stretches_.push_back(stretch_of(ring, cuts[k], cuts[(k + 1) % cuts.size()], round));

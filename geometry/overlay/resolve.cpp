@@ -49,7 +49,7 @@ bool opposite_signs(std::int64_t s, std::int64_t t) { return (s < 0 && t > 0) ||
 
 /// Do the edges have a common end, and are they so far from parallel that neither bends to the other's far end? So do
 /// most that come near each other: neighbours along a ring.
-bool meet_at_an_end_only(const OverlayEdge& e, const OverlayEdge& f) {
+inline bool meet_at_an_end_only(const OverlayEdge& e, const OverlayEdge& f) {
   if (e.b != f.a && e.a != f.a && e.b != f.b && e.a != f.b) return false;
   return 2 * std::abs(cross(e.b - e.a, f.b - f.a)) > std::max(wide(e), wide(f));
 }
