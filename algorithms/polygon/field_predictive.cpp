@@ -283,7 +283,8 @@ class PredictiveDrive {
   /// have to be looked at. If a path leads almost straight to the first of all, that is it.
   Polyline best_line() {
     std::deque<Stretch> rounds;
-    std::vector<Candidate> candidates = this->candidates(rounds), hidden;
+    std::vector<Candidate>& candidates = find_candidates(rounds);
+    std::vector<Candidate> hidden;
     const auto later = [](const Candidate& a, const Candidate& b) {
       return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
     };
@@ -367,17 +368,17 @@ class PredictiveDrive {
   };
 
   /// `rounds` gets those that no piece keeps.
-  std::vector<Candidate> candidates(std::deque<Stretch>& rounds) const {
-    std::vector<Candidate> found;
+  std::vector<Candidate>& find_candidates(std::deque<Stretch>& rounds) {
+    candidates_.clear();
     const auto add = [&](const Stretch& s) {
       if (s.metres < kShortestStretch * width_) return;
       for (const bool reversed : {false, true}) {
-        found.push_back({.stretch = &s, .reversed = reversed, .bound = 0, .number = found.size()});
-        found.back().bound = value(s, distance(path_.at(), found.back().begin()), 1);
+        candidates_.push_back({.stretch = &s, .reversed = reversed, .bound = 0, .number = candidates_.size()});
+        candidates_.back().bound = value(s, distance(path_.at(), candidates_.back().begin()), 1);
       }
     };
     for (const Piece& piece : left_) piece.for_each_stretch(path_.at(), rounds, add);
-    return found;
+    return candidates_;
   }
 
   void look_beside(Candidate& c) const {
@@ -441,6 +442,7 @@ class PredictiveDrive {
   bool begun_ = false;
   std::optional<Polyline> near_;  // to the last candidate for which is_near()
   std::vector<Piece> left_;
+  std::vector<Candidate> candidates_;  // for the next line
   DrivenLines driven_;
 };
 

@@ -20,6 +20,7 @@ struct Overlay {
     return Lattice(box);
   }
   Overlay(const Region& a, const Region& b) : lattice(lattice_of(a, b)) {
+    edges.reserve(vertex_count(a) + vertex_count(b));
     add_region(edges, a, lattice, {1, 0});
     add_region(edges, b, lattice, {0, 1});
   }
@@ -46,6 +47,11 @@ Boundaries united_groups(std::size_t n, Add add_item) {
   return unions;
 }
 
+std::size_t edge_count(const std::vector<Region>& parts) {
+  std::size_t n = 0;
+  for (const Region& p : parts) n += vertex_count(p);
+  return n;
+}
 std::size_t edge_count(const Boundaries& boundaries) {
   std::size_t n = 0;
   for (const std::vector<BoundaryEdge>& b : boundaries) n += b.size();
@@ -56,8 +62,7 @@ std::size_t edge_count(const Boundaries& boundaries) {
 /// halves their edges: parts that overlap many deep cost their sum, not its square.
 Boundaries few_unions(const std::vector<Region>& parts, const std::vector<Box>& boxes, const Lattice& lattice) {
   const std::vector<std::size_t> order = spatial_order(boxes);
-  std::size_t before = 0;
-  for (const std::size_t k : order) before += vertex_count(parts[k]);
+  std::size_t before = edge_count(parts);
   Boundaries unions = united_groups(order.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {
     add_region(edges, parts[order[k]], lattice, {1, 0});
   });
@@ -84,11 +89,15 @@ Region combine(const Region& a, const std::vector<Region>& parts, Inside inside)
   if (box.empty()) return {};
   const Lattice lattice(box);
   std::vector<OverlayEdge> edges;
-  add_region(edges, a, lattice, {1, 0});
-  if (parts.size() <= kFew)
+  if (parts.size() <= kFew) {
+    edges.reserve(vertex_count(a) + edge_count(parts));
     for (const Region& p : parts) add_region(edges, p, lattice, {0, 1});
-  else
-    for (const auto& boundary : few_unions(parts, boxes, lattice)) add_boundary(edges, boundary, {0, 1});
+  } else {
+    const Boundaries unions = few_unions(parts, boxes, lattice);
+    edges.reserve(vertex_count(a) + edge_count(unions));
+    for (const auto& boundary : unions) add_boundary(edges, boundary, {0, 1});
+  }
+  add_region(edges, a, lattice, {1, 0});
   return to_region(boundary_of(std::move(edges), inside), lattice);
 }
 

@@ -87,6 +87,7 @@ class RingBuilder {
   /// The edges walked from position `begin` on have come back to where they began.
   void cut_loop(std::size_t begin, std::uint32_t cycle) {
     Loop loop{{}, cycle};
+    loop.points.reserve(walked_.size() - begin);
     for (std::size_t k = begin; k < walked_.size(); ++k) {
       loop.points.push_back(boundary_[walked_[k]].from);
       position_[fans_.tail(HalfEdge::forward(walked_[k]))] = kNone;

@@ -29,6 +29,7 @@ void for_each_snapped_ring(const Region& region, const Lattice& lattice,
   const auto add = [&](const Ring& ring, RingKind kind) {
     if (ring.empty()) return;
     points.clear();
+    points.reserve(ring.size());
     for (const Point& p : ring)
       if (const LatticePoint s = lattice.snap(p); points.empty() || points.back() != s) points.push_back(s);
     while (points.size() > 1 && points.back() == points.front()) points.pop_back();

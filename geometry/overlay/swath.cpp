@@ -61,6 +61,7 @@ class LineSwath {
  public:
   LineSwath(const Polyline& line, const Arc& arc, const Arc& end)
       : line_(line), arc_(arc), end_(end), segments_(line.size() - 1) {
+    left_.reserve(segments_);
     for (std::size_t i = 0; i < segments_; ++i) left_.push_back(perpendicular((line[i + 1] - line[i]).normalized()));
     turn_.assign(line.size(), 0);
     for (std::size_t v = 1; v < segments_; ++v)
@@ -74,6 +75,7 @@ class LineSwath {
 
  private:
   static constexpr std::size_t kSegments = 16;  // of a ring: parts stay small, and neighbours share few edges
+  static constexpr std::size_t kPerSegment = 3, kAtEnds = 24;  // vertices of a ring, as a rule
 
   /// On the inner side of a bend the two rectangles end where their sides meet, if these are long enough for the bends
   /// at both of their ends.
@@ -94,6 +96,7 @@ class LineSwath {
   /// Segments `first` to `last` - 1: forwards on the right side, back on the left.
   Ring part(std::size_t first, std::size_t last) const {
     Ring ring;
+    ring.reserve(kPerSegment * (last - first) + kAtEnds);
     const Point &start = line_[first], &end = line_[last];
     if (first == 0) {
       end_.append(ring, start, left_[first], kPi);
@@ -142,6 +145,7 @@ bool straight_on(const Point& a, const Point& b, const Point& c) {
 
 void add_line(const Polyline& points, const Arc& arc, const Arc& end, std::vector<Region>& parts) {
   Polyline line;
+  line.reserve(points.size());
   for (const Point& p : points) {
     if (!line.empty() && p == line.back()) continue;
     if (line.size() > 1 && straight_on(line[line.size() - 2], line.back(), p)) line.pop_back();
