@@ -15,6 +15,7 @@ namespace {
 class Simplifier {
  public:
   Simplifier(const Region& region, double tolerance, const Box& within) : tolerance_(tolerance), within_(within) {
+    vertices_.reserve(vertex_count(region));
     for_each_ring(region, [&](const Ring& ring) {
       const auto first = static_cast<Id>(vertices_.size()), n = static_cast<Id>(ring.size());
       for (Id k = 0; k < n; ++k)
