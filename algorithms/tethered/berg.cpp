@@ -296,12 +296,12 @@ BergTree::Laps laps_for(const Params& p, const Problem& problem) {
                  kTrimSlack * problem.tolerance() + 1e-9 * laps.longest};
   if (p.sampling == 0)
     laps.thinning = {width / kThinnings,
-                     [&](const Point& a, const Point& b) { return problem.walls().contains(a, b); }};
+                     [&walls = problem.walls()](const Point& a, const Point& b) { return walls.contains(a, b); }};
   return laps;
 }
 
 BergTree tree_of(const BergBoundary& boundary, const BergTree::Laps& laps, const Problem& problem, Context& context) {
-  const auto keep = [&](const Point& p) { return problem.walls().contains(p); };
+  const auto keep = [&walls = problem.walls()](const Point& p) { return walls.contains(p); };
   return BergTree(boundary, laps, keep, [&] { return context.cancelled(); });
 }
 

@@ -103,8 +103,8 @@ std::int32_t GeodesicCones::last_root(Point& p) const {
     std::vector<std::int32_t> triangles;  // of the point before, mostly near by
     std::vector<std::pair<double, std::int32_t>> paths;
   };
-  thread_local Found of_thread;
-  auto& [triangles, paths] = of_thread;
+  thread_local const auto of_thread = std::make_unique<Found>();  // each use of a thread_local object itself is a call
+  auto& [triangles, paths] = *of_thread;
   if (!finite(p) || !mesh_.move_inside(p, tolerance_, triangles)) return kNone;
   paths.clear();
   double least = std::numeric_limits<double>::infinity();
