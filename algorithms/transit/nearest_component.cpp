@@ -13,7 +13,7 @@ namespace {
 // Midpoints of triangle sides measure distance roughly, so the nearest component may be met as the second or third. So
 // many are compared by the shortest paths through the triangles by which the wave came.
 constexpr std::size_t kCandidates = 4;
-constexpr double kRoughly = 1.5;  // a wave's metres over those of the shortest path
+constexpr double kFarEnough = 1.5;  // times the path found, where any that is about as near will do
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAlmostStraight = 1.3;  // straight distances
@@ -164,12 +164,13 @@ void NearestComponent::allow_path_to_few(std::size_t home, double longest) {
 
 /// Of the entries of the first components that a wave from p meets the one with the shortest path through the triangles
 /// by which the wave came: no search through the triangles for each of them, which far away would cost all that lies
-/// nearer. The path is at least as long as the shortest one.
-NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std::size_t home, double longest) {
+/// nearer. The path is at least as long as the shortest one. The wave ends when it has come `far_enough` times as far.
+NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std::size_t home, double longest,
+                                                            double far_enough) {
   std::set<int> components;
   Nearest best{.found = std::nullopt, .metres = longest};
   const auto meet = [&](std::size_t t) {
-    if (wave_.metres(t) >= std::min(longest, kRoughly * best.metres)) return true;
+    if (wave_.metres(t) >= std::min(longest, far_enough * best.metres)) return true;
     const auto entry = nearest_in(t, wave_.entered_at(t));
     if (!entry) return false;
     components.insert(entries_[*entry].component);
@@ -191,7 +192,7 @@ std::optional<std::size_t> NearestComponent::nearest(const Point& p) {
   const auto home = wave_.triangle_of(p);
   if (!home || entries_.empty()) return std::nullopt;
   Nearest best = nearest_in_sight(p);
-  if (Nearest by_wave = nearest_by_wave(p, *home, best.metres); by_wave.found) best = std::move(by_wave);
+  if (Nearest by_wave = nearest_by_wave(p, *home, best.metres, kFarEnough); by_wave.found) best = std::move(by_wave);
   return best.found ? std::optional(best.found->id) : std::nullopt;
 }
 
@@ -200,7 +201,7 @@ std::optional<NearestComponent::Found> NearestComponent::from(const Point& p) {
   if (!home || entries_.empty()) return std::nullopt;
   Nearest best;
   if (find_almost_straight(p, best)) return std::move(best.found);
-  if (Nearest by_wave = nearest_by_wave(p, *home, kInfinity); by_wave.metres < best.metres) {
+  if (Nearest by_wave = nearest_by_wave(p, *home, kInfinity, kInfinity); by_wave.metres < best.metres) {
     best = std::move(by_wave);
     // The wave may have come on the wrong side of an obstacle.
     try_entry(p, entries_[best.entry], best.metres, best);

@@ -41,8 +41,8 @@ class NearestComponent {
   };
   /// With the shortest path there. nullopt if no entry point can be reached. Not safe from several threads.
   std::optional<Found> from(const Point& p);
-  /// Only its id, by sight and by the wave: for callers who have a path of their own. Of components that are about as
-  /// near any may be found.
+  /// Only its id, by sight and by the wave, which spreads half as far again as the way to the first one that it meets:
+  /// for callers who have a path of their own. Of components that are about as near any may be found.
   std::optional<std::size_t> nearest(const Point& p);
 
  private:
@@ -70,7 +70,7 @@ class NearestComponent {
   void keep_groups();
   void allow_path_to_few(std::size_t home, double longest);
   Nearest nearest_in_sight(const Point& p);
-  Nearest nearest_by_wave(const Point& p, std::size_t home, double longest);
+  Nearest nearest_by_wave(const Point& p, std::size_t home, double longest, double far_enough);
 
   const Problem& problem_;
   MeshWave wave_;
