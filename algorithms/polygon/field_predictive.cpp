@@ -40,13 +40,13 @@
 #include "algorithms/polygon/cell_strips.hpp"
 #include "algorithms/polygon/distant_holes.hpp"
 #include "algorithms/polygon/driven_lines.hpp"
+#include "algorithms/polygon/field_piece.hpp"
 #include "algorithms/polygon/halves.hpp"
 #include "algorithms/transit/mesh_wave.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "base/math.hpp"
 #include "geometry/edge_index.hpp"
-#include "geometry/edge_rows.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
 #include "geometry/raster.hpp"
@@ -71,108 +71,6 @@ struct Params {
   Links links = Links::path;
   bool repair = true;
   bool blocks = true;
-};
-
-/// A part of a ring between sharp turns, in the ring's sense.
-struct Stretch {
-  Polyline points;
-  double metres = 0;
-  double round_metres = 0, round_turns = 0;  // of the whole ring; turns in radians
-};
-
-/// The sum of turns, whichever way each goes: directions are multiplied as complex numbers, so that many turns take one
-/// arc tangent.
-class TurnSum {
- public:
-  void add(double dot, double cross) {
-    const double across = std::abs(cross);
-    product_ = {product_.x() * dot - product_.y() * across, product_.x() * across + product_.y() * dot};
-    if (++factors_ == kMostFactors || product_.y() >= product_.x()) take_product();
-  }
-  double radians() {
-    take_product();
-    return sum_;
-  }
-
- private:
-  static constexpr int kMostFactors = 8;  // their product neither overflows nor vanishes
-
-  void take_product() {
-    const double turn = math::atan2(product_.y(), product_.x());
-    sum_ += turn < 0 ? turn + 2 * kPi : turn;
-    product_ = {1, 0};
-    factors_ = 0;
-  }
-
-  Point product_{1, 0};
-  int factors_ = 0;
-  double sum_ = 0;
-};
-
-/// The part of the ring from one vertex to another, all of it if they are the same; the rest is that of the round.
-Stretch stretch_of(const Ring& ring, std::size_t from, std::size_t to, const Stretch& round) {
-  Stretch s = round;
-  const std::size_t n = ring.size();
-  s.points.reserve((to + n - from - 1) % n + 2);
-  s.points.push_back(ring[from]);
-  for (std::size_t i = (from + 1) % n;; i = (i + 1) % n) {
-    s.points.push_back(ring[i]);
-    if (i == to) break;
-  }
-  s.metres = length(s.points);
-  return s;
-}
-
-/// A polygon of what is left, and its stretches. Rings without sharp turns are one, wherever it begins.
-class Piece {
- public:
-  explicit Piece(Polygon polygon) : region_{{std::move(polygon)}}, box_(bounding_box(region_)) {
-    for_each_ring(region_, [this](const Ring& ring) { add_stretches(ring); });
-  }
-  const Region& region() const { return region_; }
-  const Box& box() const { return box_; }
-  bool contains(const Point& p) const {
-    if (!box_.contains(p)) return false;
-    if (!rows_) rows_.emplace(region_);
-    return rows_->contains(p);
-  }
-
-  /// `at`: where the robot is. `rounds` gets the stretches that begin there, and keeps them.
-  template <class F>
-  void for_each_stretch(const Point& at, std::deque<Stretch>& rounds, F f) const {
-    for (const Stretch& s : stretches_) f(s);
-    for (const auto& [ring, round] : smooth_) {
-      const std::size_t nearest = nearest_vertex(ring, at);
-      f(rounds.emplace_back(stretch_of(ring, nearest, nearest, round)));
-    }
-  }
-
- private:
-  void add_stretches(const Ring& ring) {
-    const std::size_t n = ring.size();
-    std::vector<std::size_t> cuts;
-    Stretch round;
-    TurnSum turns;
-    Point before = ring[0] - ring[n - 1];
-    for (std::size_t i = 0; i < n; ++i) {
-      const Point after = ring[(i + 1) % n] - ring[i];
-      const double along = before.dot(after), across = cross(before, after);
-      if (std::abs(across) > along) cuts.push_back(i);
-      turns.add(along, across);
-      round.round_metres += after.norm();
-      before = after;
-    }
-    round.round_turns = turns.radians();
-    if (cuts.empty()) smooth_.emplace_back(ring, round);
-    for (std::size_t k = 0; k < cuts.size(); ++k)
-      stretches_.push_back(stretch_of(ring, cuts[k], cuts[(k + 1) % cuts.size()], round));
-  }
-
-  Region region_;
-  mutable std::optional<EdgeRows> rows_;  // made when first needed: many pieces are cut again before
-  Box box_;
-  std::vector<Stretch> stretches_;
-  std::vector<std::pair<Ring, Stretch>> smooth_;
 };
 
 class PredictiveDrive {
@@ -206,9 +104,9 @@ class PredictiveDrive {
   void add(Region region) {
     for (Polygon& polygon : region.polygons) left_.emplace_back(std::move(polygon));
   }
-  std::vector<Polyline> lines_near(const std::vector<Piece>& pieces) const {
+  std::vector<Polyline> lines_near(const std::vector<FieldPiece>& pieces) const {
     Box all;
-    for (const Piece& piece : pieces) all.add(piece.box());
+    for (const FieldPiece& piece : pieces) all.add(piece.box());
     all.grow(width_);
     return driven_.near(all);
   }
@@ -220,9 +118,9 @@ class PredictiveDrive {
       for (const Point& p : line) near.add(p);
     near.grow(width_);
     const std::vector<Region> swaths = swath_parts(lines, width_ * (1 - 2 * kChord), kChord * width_, Bound::outside);
-    std::vector<Piece> before = std::move(left_);
+    std::vector<FieldPiece> before = std::move(left_);
     left_.clear();
-    for (Piece& piece : before) {
+    for (FieldPiece& piece : before) {
       if (!piece.box().overlaps(near)) {
         left_.push_back(std::move(piece));
         continue;
@@ -279,8 +177,8 @@ class PredictiveDrive {
   };
 
   /// The stretch of greatest value, in the sense in which it is driven; empty if none is left. Of equal values the
-  /// first. Candidates come in the order of their bounds, and again when their bound is exact but for walls, so that few
-  /// have to be looked at. If a path leads almost straight to the first of all, that is it.
+  /// first. Candidates come in the order of their bounds, and again when these are exact but for walls: few have to be
+  /// looked at. If a path leads almost straight to the first of all, that is it.
   Polyline best_line() {
     std::deque<Stretch> rounds;
     std::vector<Candidate>& candidates = find_candidates(rounds);
@@ -377,7 +275,7 @@ class PredictiveDrive {
         candidates_.back().bound = value(s, distance(path_.at(), candidates_.back().begin()), 1);
       }
     };
-    for (const Piece& piece : left_) piece.for_each_stretch(path_.at(), rounds, add);
+    for (const FieldPiece& piece : left_) piece.for_each_stretch(path_.at(), rounds, add);
     return candidates_;
   }
 
@@ -395,7 +293,7 @@ class PredictiveDrive {
       const Point inwards = Point(-d.y(), d.x()).normalized() * width_;
       for (int k = 0; k < samples; ++k, ++all) {
         const Point p = line[i - 1] + d * ((k + 0.5) / samples) + inwards;
-        if (std::ranges::any_of(left_, [&](const Piece& piece) { return piece.contains(p); })) ++inside;
+        if (std::ranges::any_of(left_, [&](const FieldPiece& piece) { return piece.contains(p); })) ++inside;
       }
     }
     return all > 0 ? static_cast<double>(inside) / all : 0;
@@ -441,7 +339,7 @@ class PredictiveDrive {
   PathBuilder path_;
   bool begun_ = false;
   std::optional<Polyline> near_;  // to the last candidate for which is_near()
-  std::vector<Piece> left_;
+  std::vector<FieldPiece> left_;
   std::vector<Candidate> candidates_;  // for the next line
   DrivenLines driven_;
 };

@@ -41,8 +41,8 @@ class NearestComponent {
   };
   /// With the shortest path there. nullopt if no entry point can be reached. Not safe from several threads.
   std::optional<Found> from(const Point& p);
-  /// Only its id, by sight and by the wave, which spreads half as far again as the way to the first one that it meets:
-  /// for callers who have a path of their own. Of components that are about as near any may be found.
+  /// Only its id, by sight and by the wave, which spreads half as far again as the path to the first one that it
+  /// meets: for callers who have a path of their own. Of components that are about as near any may be found.
   std::optional<std::size_t> nearest(const Point& p);
 
  private:

@@ -54,7 +54,7 @@ inline bool meet_at_an_end_only(const OverlayEdge& e, const OverlayEdge& f) {
   return 2 * std::abs(cross(e.b - e.a, f.b - f.a)) > std::max(wide(e), wide(f));
 }
 
-/// Is a point so far from the edge's line that no piece of an edge that ends or is split there meets a piece of this one
+/// Is a point so far off the edge's line that no piece of an edge which ends or is split there meets one of this edge
 /// beside it? `area`: twice that of the triangle. Splitting moves either edge by less than a quantum.
 bool is_off(const OverlayEdge& e, std::int64_t area) { return std::abs(area) > 4 * std::int64_t{wide(e)}; }
 
