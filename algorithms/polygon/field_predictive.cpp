@@ -25,7 +25,6 @@
 //                42,000 tool squares paths 3 % longer in less than a tenth of the time.
 //             5. Not the same on a scaled map: the robot's speed and acceleration do not scale with it.
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <functional>
 #include <limits>
@@ -34,7 +33,6 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/lanes/laps.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/polygon/cell_strips.hpp"
@@ -45,7 +43,6 @@
 #include "algorithms/transit/mesh_wave.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 #include "algorithms/transit/short_segments.hpp"
-#include "base/math.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
@@ -86,7 +83,7 @@ class PredictiveDrive {
         driven_(kCell * width_) {}
 
   /// Drives what earlier calls left of the region.
-  void run(Region region, const Context& context) {
+  void run(const Region& region, const Context& context) {
     left_.clear();
     add(simplify_inward(region, kChord * width_));
     cut(lines_near(left_));

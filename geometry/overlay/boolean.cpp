@@ -77,6 +77,7 @@ Boundaries few_unions(const std::vector<Region>& parts, const std::vector<Box>& 
 
 std::vector<Box> finite_boxes(const std::vector<Region>& parts) {
   std::vector<Box> boxes;
+  boxes.reserve(parts.size());
   for (const Region& p : parts) boxes.push_back(finite_box(p));
   return boxes;
 }

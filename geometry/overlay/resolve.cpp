@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -171,6 +170,20 @@ std::vector<Cut> find_cuts(const Pieces& pieces, Close close) {
   return cuts;
 }
 
+/// The first of the numbers below n that `has` does not hold for: it holds for all before that. n, if for all.
+template <class Has>
+std::size_t first_without(std::size_t n, Has has) {
+  std::size_t low = 0;
+  for (std::size_t high = n; low < high;) {
+    const std::size_t middle = (low + high) / 2;
+    if (has(middle))
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
 /// Looks at the pieces of edges that are to be split.
 class PiecesToBe {
  public:
@@ -231,10 +244,8 @@ class PiecesToBe {
     const auto side = [&](const LatticePoint& p) { return twice_area(line.a, line.b, p); };
     const bool rises = side(edges_[edge].a) <= side(edges_[edge].b);
     const auto height = [&](std::size_t k) { return rises ? side(stop(edge, k)) : -side(stop(edge, k)); };
-    const auto ends = std::views::iota(std::size_t{0}, n + 1);
-    const auto low = std::ranges::partition_point(ends, [&](std::size_t k) { return height(k) < -width; });
-    const auto high = std::ranges::partition_point(ends, [&](std::size_t k) { return height(k) <= width; });
-    const auto from = static_cast<std::size_t>(low - ends.begin()), to = static_cast<std::size_t>(high - ends.begin());
+    const std::size_t from = first_without(n + 1, [&](std::size_t k) { return height(k) < -width; });
+    const std::size_t to = first_without(n + 1, [&](std::size_t k) { return height(k) <= width; });
     return {from > 0 ? from - 1 : 0, std::min(to, n)};
   }
   void look_at(std::uint32_t i, std::uint32_t j) {
