@@ -35,7 +35,8 @@ constexpr double kStop = 1.0 / 50;            // length of a stop
 constexpr double kReach = 0.5 * 0.999;        // from which a stop covers
 constexpr double kBeside = 0.5 * 1.01;        // from a wall: about what an arc of it covers
 constexpr double kAttached = 4;               // that it takes to attach a detour
-constexpr std::size_t kManyLanes = 4;         // from which on arcs beside walls are tried first
+constexpr std::size_t kManyLanes = 4;         // from which on arcs beside walls are tried first,
+constexpr double kLongLanes = 24;             // or from this length on, with what attaches them
 constexpr int kRounds = 4;                    // of lanes and arcs of the boundary, before whole rings
 
 /// The boundary that arcs follow; the arcs that are to be driven, and those whose length is looked at.
@@ -130,7 +131,8 @@ class Repair {
     const std::vector<Ring> lanes = lanes_in(piece);
     const bool along = lies_along_walls(piece);
     if (along && lanes.empty()) return;
-    if (!along && (lanes.size() < kManyLanes || !is_beside_walls(piece))) return append(lanes);
+    const bool few = lanes.size() < kManyLanes && length_with(lanes) < kLongLanes * width_;
+    if (!along && (few || !is_beside_walls(piece))) return append(lanes);
     const std::vector<Ring> arcs = arcs_beside({{piece}});
     const std::vector<Ring> between = along ? std::vector<Ring>{} : lanes_in(rest({{piece}}, arcs));
     if (length_with(arcs) + length_with(between) >

@@ -17,6 +17,10 @@
 //                left beside a stretch, the swath back covers what is there. links = path (ours): the drive there is
 //                a path if that is far longer than straight; links = straight (source) ignores walls: in rooms half of
 //                all metres are links.
+//                Values are often equal: two sides of a ring that meet where the robot is begin the same round. The
+//                first (source: any) may be a short one, then the next short one beside it, and so on: rooms and
+//                corridors get many short lanes. ties = longest (ours) drives long ones: on 12 maps of rooms missions
+//                18 % shorter, in spirals 24 % longer.
 //             3. Stretches shorter than half a tool width are not driven. Uncovered bands narrower than the tool, where
 //                no disc fits, are left to repair.
 //             4. Every choice looks at all of what is left, in time that grows as the square of the area. Large regions
@@ -62,18 +66,22 @@ constexpr std::size_t kEntries = 16;      // about so many vertices of a block, 
 constexpr double kMostEffort = 5e5;       // of a block: vertices times area in squares of the tool's width
 constexpr std::size_t kFewVertices = 64;  // of a block: its size does not matter, each stretch costs next to nothing
 
-enum class Links { path, straight };  // in the order of their names in field_predictive()
+// In the order of their names in field_predictive().
+enum class Links { path, straight };
+enum class Ties { first, longest };
 
 struct Params {
   Links links = Links::path;
+  Ties ties = Ties::first;
   bool repair = true;
   bool blocks = true;
 };
 
 class PredictiveDrive {
  public:
-  PredictiveDrive(const Problem& problem, const Connector& connector, bool links_by_path)
-      : links_by_path_(links_by_path),
+  PredictiveDrive(const Problem& problem, const Connector& connector, const Params& p)
+      : links_by_path_(p.links == Links::path),
+        ties_(p.ties),
         robot_(problem.robot()),
         width_(robot_.tool_width),
         walls_(problem.walls()),
@@ -165,24 +173,26 @@ class PredictiveDrive {
   struct Candidate {
     const Stretch* stretch = nullptr;
     bool reversed = false;
-    double bound;        // of its value: if the drive there is straight and all beside it is uncovered
-    std::size_t number;  // in the order of the pieces and their stretches
+    double bound;           // of its value: if the drive there is straight and all beside it is uncovered
+    std::size_t number;     // in the order of the pieces and their stretches
+    double preference = 0;  // among equal values
     double share_beside = 1;
     bool looked_beside = false;
     bool settled = false;  // the wave has met it, or never will
     const Point& begin() const { return reversed ? stretch->points.back() : stretch->points.front(); }
   };
+  static bool later(const Candidate& a, const Candidate& b) {
+    if (a.bound != b.bound) return a.bound < b.bound;
+    return a.preference != b.preference ? a.preference < b.preference : a.number > b.number;
+  }
 
-  /// The stretch of greatest value, in the sense in which it is driven; empty if none is left. Of equal values the
-  /// first. Candidates come in the order of their bounds, and again when these are exact but for walls: few have to be
-  /// looked at. If a path leads almost straight to the first of all, that is it.
+  /// The stretch of greatest value, in the sense in which it is driven; empty if none is left. Candidates come in the
+  /// order of their bounds, and again when these are exact but for walls: few have to be looked at. If a path leads
+  /// almost straight to the first of all, that is it.
   Polyline best_line() {
     std::deque<Stretch> rounds;
     std::vector<Candidate>& candidates = find_candidates(rounds);
     std::vector<Candidate> hidden;
-    const auto later = [](const Candidate& a, const Candidate& b) {
-      return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
-    };
     std::ranges::make_heap(candidates, later);
     Candidate best{.bound = 0, .number = 0};
     while (best.stretch == nullptr && !candidates.empty() && candidates.front().bound > 0) {
@@ -228,7 +238,7 @@ class PredictiveDrive {
         const double wave = wave_.metres(t) + distance(wave_.entered_at(t), c.begin());
         c.bound = value(*c.stretch, wave > farthest_near(straight) ? wave : straight, c.share_beside);
         c.settled = true;
-        if (c.bound > best.bound) best = c;
+        if (best.stretch == nullptr || later(best, c)) best = c;
       }
       return wave_.metres(t) > farthest.of(is_settled);
     });
@@ -269,6 +279,7 @@ class PredictiveDrive {
       if (s.metres < kShortestStretch * width_) return;
       for (const bool reversed : {false, true}) {
         candidates_.push_back({.stretch = &s, .reversed = reversed, .bound = 0, .number = candidates_.size()});
+        if (ties_ == Ties::longest) candidates_.back().preference = s.metres;
         candidates_.back().bound = value(s, distance(path_.at(), candidates_.back().begin()), 1);
       }
     };
@@ -328,6 +339,7 @@ class PredictiveDrive {
   double back_seconds(const Stretch& s) const { return 2 * s.metres / robot_.speed + seconds_to_next_lane(robot_); }
 
   bool links_by_path_;
+  Ties ties_;
   const Robot& robot_;
   double width_;
   const EdgeIndex& walls_;
@@ -375,7 +387,7 @@ void drive_blocks(const std::vector<Region>& blocks, const Problem& problem, Pre
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const Connector connector(problem);
-  PredictiveDrive drive(problem, connector, p.links == Links::path);
+  PredictiveDrive drive(problem, connector, p);
   const double w = problem.robot().tool_width;
   const auto small = [&](const Region& block) {
     const std::size_t vertices = vertex_count(block);
@@ -399,11 +411,13 @@ PlannerInfo field_predictive() {
        .guarantee = "covers the whole target (with repair; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift},
-       .parameters = {{"links", &Params::links, Choices{"path", "straight"},
-                       "how far a stretch is, when the next one is chosen: around walls, or straight there"},
-                      {"repair", &Params::repair, "cover what is left where the tool no longer fits"},
-                      {"blocks", &Params::blocks,
-                       "large regions in blocks, one after the other; off: as in the source"}},
+       .parameters =
+           {{"links", &Params::links, Choices{"path", "straight"},
+             "how far a stretch is, when the next one is chosen: around walls, or straight there"},
+            {"ties", &Params::ties, Choices{"first", "longest"},
+             "of stretches worth the same: any, or the longest: fewer turns, in mazes and spirals longer paths"},
+            {"repair", &Params::repair, "cover what is left where the tool no longer fits"},
+            {"blocks", &Params::blocks, "large regions in blocks, one after the other; off: as in the source"}},
        .published = {{"links", std::string("straight")}, {"repair", false}, {"blocks", false}},
        .promises_with = [](const Params& p) { return p.repair; }});
 }

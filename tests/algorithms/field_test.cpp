@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "algorithms/polygon/driven_lines.hpp"
@@ -151,6 +152,22 @@ TEST(FieldPredictive, ARectangleIsDrivenWithoutRepairs) {
   // Half the tool's width more at one lane is all that may be missing, and the corners.
   EXPECT_LE(uncovered_share(p, path, 2000), 0.06);
   EXPECT_LE(path.length(), 1.15 * area(p.target()) / 0.4);
+}
+
+// What the last lane leaves along the wall takes an arc
+// there and back, and no lane beside that.
+TEST(FieldPredictive, WithLongStretchesFirstLanesRunAlongTheLongerSide) {
+  for (const auto& [width, height] : {std::pair(20.0, 5.0), std::pair(5.0, 20.0), std::pair(30.0, 7.5)}) {
+    const Problem p(Map{"shape", box_region({0, 0}, {width, height}), "", ""}, disc(0.2, 0.4));
+    const auto lanes = static_cast<std::size_t>(std::ceil(std::min(width, height) / 0.4));
+    std::size_t points = 0;
+    for (const Leg& leg : plan("field-predictive", p, {{"ties", std::string("longest")}, {"repair", false}}).legs)
+      points += leg.points.size();
+    EXPECT_LE(points, 2 * lanes + 10);
+    const Path whole = plan("field-predictive", p, {{"ties", std::string("longest")}});
+    EXPECT_EQ(uncovered_share(p, whole, 1000), 0);
+    EXPECT_LE(whole.length(), 1.25 * width * height / 0.4);
+  }
 }
 
 // Lanes along a slanted wall: each begins where a cut ended, beside the wall but for rounding, which must not add up.
