@@ -1,10 +1,5 @@
 #include "geometry/overlay/arrangement.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 #include "base/disjoint_sets.hpp"
 #include "geometry/overlay/edge_below.hpp"
 #include "geometry/overlay/half_edges.hpp"

@@ -7,10 +7,10 @@
 ///   return to_region(boundary_of(std::move(edges), inside_both), lattice);
 ///
 /// Method      Closed rings become weighted edges on the lattice. Edges are split where they meet, at points rounded to
-///             the lattice, and split again until any two meet at common ends only: iterated snap rounding. An edge
-///             also bends to every lattice point that it passes within half a quantum, so slivers thinner than that
-///             collapse. Winding numbers then follow by walking around the vertices; the result's boundary is the edges
-///             between inside and outside.
+///             the lattice, and split again until any two meet at common ends only (resolve.hpp): iterated snap
+///             rounding. An edge also bends to every lattice point that it passes within half a quantum, so slivers
+///             thinner than that collapse. Winding numbers then follow by walking around the vertices; the result's
+///             boundary is the edges between inside and outside.
 /// Source      Halperin and Packer, "Iterated snap rounding", 2002; winding numbers: McMains and Chen, "Polygon
 ///             offsetting by computing winding numbers", 2005.
 /// Complexity  O((n + k) log n) for n edges that meet k times, usual data; nearly O(n + k) where edges are short and

@@ -170,20 +170,6 @@ std::vector<Cut> find_cuts(const Pieces& pieces, Close close) {
   return cuts;
 }
 
-/// The first of the numbers below n that `has` does not hold for: it holds for all before that. n, if for all.
-template <class Has>
-std::size_t first_without(std::size_t n, Has has) {
-  std::size_t low = 0;
-  for (std::size_t high = n; low < high;) {
-    const std::size_t middle = (low + high) / 2;
-    if (has(middle))
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return low;
-}
-
 /// Looks at the pieces of edges that are to be split.
 class PiecesToBe {
  public:
@@ -235,18 +221,16 @@ class PiecesToBe {
       if (stop(edge, k) == p) return true;
     return false;
   }
-  /// The pieces of an edge that may lie near the line of another one: its ends advance along it, towards the line or
+  /// The pieces of an edge that may lie near the line of another one: its cuts advance along it, towards the line or
   /// away from it.
   Range near_line(std::uint32_t edge, const OverlayEdge& line) const {
-    const std::size_t n = pieces(edge);
-    if (n <= 2) return {0, n};
     const std::int64_t width = 8 * std::int64_t{wide(line)};
     const auto side = [&](const LatticePoint& p) { return twice_area(line.a, line.b, p); };
-    const bool rises = side(edges_[edge].a) <= side(edges_[edge].b);
-    const auto height = [&](std::size_t k) { return rises ? side(stop(edge, k)) : -side(stop(edge, k)); };
-    const std::size_t from = first_without(n + 1, [&](std::size_t k) { return height(k) < -width; });
-    const std::size_t to = first_without(n + 1, [&](std::size_t k) { return height(k) <= width; });
-    return {from > 0 ? from - 1 : 0, std::min(to, n)};
+    const int sense = side(edges_[edge].a) <= side(edges_[edge].b) ? 1 : -1;
+    const auto begin = cuts_.begin() + first_[edge], end = cuts_.begin() + first_[edge + 1];
+    const auto low = std::partition_point(begin, end, [&](const Cut& c) { return sense * side(c.at) < -width; });
+    const auto high = std::partition_point(low, end, [&](const Cut& c) { return sense * side(c.at) <= width; });
+    return {static_cast<std::size_t>(low - begin), static_cast<std::size_t>(high - begin) + 1};
   }
   void look_at(std::uint32_t i, std::uint32_t j) {
     const Range of_i = near_line(i, edges_[j]), of_j = near_line(j, edges_[i]);
@@ -307,28 +291,41 @@ void split(const Edges& edges, const std::vector<Cut>& cuts, Edges& resolved, Ed
   }
 }
 
+/// Where edges have to be split, and which of the pieces again.
+struct FirstLook {
+  std::vector<Cut> cuts;
+  Edges again;
+};
+FirstLook look_at_all(const Pieces& pieces) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> close;
+  FirstLook found{find_cuts(pieces, [&](std::uint32_t i, std::uint32_t j) { close.emplace_back(i, j); }), {}};
+  if (!found.cuts.empty()) found.again = PiecesToBe(pieces.edges, found.cuts).to_be_split(close);
+  return found;
+}
+
 }  // namespace
 
 void resolve(std::vector<OverlayEdge>& edges) {
   // A round moves edges by less than a quantum and only to lattice points that are vertices already. Three rounds are
   // usual, more than ten have never been seen.
   constexpr int kMostRounds = 200;
-  Edges resolved, unresolved = std::move(edges), again;
+  Edges resolved, unresolved = std::move(edges);
   Pieces pieces;
-  merge(resolved, unresolved, pieces);
-  for (int round = 0;; ++round) {
-    if (round == kMostRounds) throw std::runtime_error("overlay of regions does not converge on its lattice");
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> close;
-    const std::vector<Cut> cuts = find_cuts(pieces, [&](std::uint32_t i, std::uint32_t j) {
-      if (round == 0) close.emplace_back(i, j);
-    });
-    if (cuts.empty()) break;
-    if (round == 0) again = PiecesToBe(pieces.edges, cuts).to_be_split(close);
+  const auto split_at = [&](const std::vector<Cut>& cuts) {
     split(pieces.edges, cuts, resolved, unresolved);
     merge(resolved, unresolved, pieces);
-    if (round > 0) continue;
-    if (again.empty()) break;
-    leave_unresolved(again, pieces);
+  };
+  merge(resolved, unresolved, pieces);
+  const FirstLook first = look_at_all(pieces);
+  if (!first.cuts.empty()) split_at(first.cuts);
+  if (!first.again.empty()) {
+    leave_unresolved(first.again, pieces);
+    for (int round = 1;; ++round) {
+      if (round == kMostRounds) throw std::runtime_error("overlay of regions does not converge on its lattice");
+      const std::vector<Cut> cuts = find_cuts(pieces, [](std::uint32_t, std::uint32_t) {});
+      if (cuts.empty()) break;
+      split_at(cuts);
+    }
   }
   edges = std::move(pieces.edges);
 }
