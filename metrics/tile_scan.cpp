@@ -150,10 +150,14 @@ void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
   if (details_ == nullptr && target.outside()) return;
   const double wanted = target.inside() ? 1 : target.outside() ? 0 : target.area_in(unit_square());
   const double left = uncovered(tile);
-  // Before the chords are refined: finer ones make more parts of the same pieces.
-  if (details_ != nullptr && wanted > 0 && left > 0 && !left_.least().empty())
-    details_->pieces.add_tile(floor_of(tile.centre.x), left_.least(), target);
-  const double missed = wanted > 0 && left > 0 ? add_missed(tile, target, wanted) : 0;
+  double missed = 0;
+  if (wanted > 0 && left > 0) {
+    const double least = target.area_in(left_.least());
+    // Before the chords are refined: finer ones make more parts of the same pieces.
+    if (details_ != nullptr && least > UncoveredPieces::kLeastArea / 2)
+      details_->pieces.add_tile(floor_of(tile.centre.x), left_.least(), target);
+    missed = add_missed(tile, target, wanted, least);
+  }
   sums_.target += wanted;
   if (details_ != nullptr) add_details(tile, target, left, wanted - missed);
 }
@@ -181,8 +185,8 @@ double TileScan::uncovered(const Tile& tile) {
 
 /// Refines the chords until the bounds of the missed target are within the budget, or as near as they get (the
 /// capsules' slack remains). Returns the estimate.
-double TileScan::add_missed(const Tile& tile, const TileTarget& target, double wanted) {
-  double most = target.area_in(left_.most()), least = target.area_in(left_.least());
+double TileScan::add_missed(const Tile& tile, const TileTarget& target, double wanted, double least) {
+  double most = target.area_in(left_.most());
   double gap = std::numeric_limits<double>::infinity();
   const double missed = std::min(wanted, estimate(most, least));
   const double wide = budget_ * std::max(wanted, kLeastWanted);

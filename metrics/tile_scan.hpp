@@ -60,7 +60,7 @@ class TileScan {
   void add_details(const Tile& tile, const TileTarget& target, double left, double covered);
   bool any_covers(const Tile& tile) const;
   double uncovered(const Tile& tile);
-  double add_missed(const Tile& tile, const TileTarget& target, double wanted);
+  double add_missed(const Tile& tile, const TileTarget& target, double wanted, double least);
   void add_visits(const Tile& tile, const TileTarget& target);
   std::optional<Extent> box_outside(const TileTarget& target);
   double visits_begun(const Tile& tile, const TileTarget& target, const Extent& where, const Capsule& k, Vec from);

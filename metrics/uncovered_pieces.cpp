@@ -11,7 +11,6 @@ namespace {
 // In tile sides.
 constexpr double kNear = 1e-9;   // rounding
 constexpr double kTouch = 1e-6;  // parts that share less of an edge are not connected
-constexpr double kLeastArea = 1e-9;
 
 bool boxes_touch(const Extent& a, const Extent& b) {
   return std::abs(a.centre.x - b.centre.x) <= a.half.x + b.half.x + kNear &&

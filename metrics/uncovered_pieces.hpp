@@ -28,6 +28,7 @@ class UncoveredPieces {
   explicit UncoveredPieces(MissedOutlines outlines = MissedOutlines::kept) : outlines_(outlines) {}
   MissedOutlines outlines() const { return outlines_; }
 
+  static constexpr double kLeastArea = 1e-9;  // tiles; smaller parts of a tile are rounding
   /// Rows in ascending order, and columns within a row.
   void start_row(std::int64_t row);
   /// `uncovered`: relative to the tile's centre.

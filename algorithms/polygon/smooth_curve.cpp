@@ -43,32 +43,49 @@ class Wedge {
   Point right_{0, 0}, left_{0, 0};
 };
 
-/// Radians from chord to chord, so that chords are within `error` of a small arc.
-double chord_turn(double radius, double error) {
-  return std::clamp(2 * std::sqrt(2 * error / radius), kFineTurn, kMostTurn);
+/// The chords that replace a corner: equally long, with equal turns at all vertices, the first and the last among them,
+/// so that there are as few as possible. Lengths are those of chords that begin and end 1 m from the corner.
+struct Bend {
+  double turn;    // at each vertex, radians
+  int chords;     // at least 1
+  double radius;  // of the circle through all vertices
+  double chord;   // length of one
+  double off;     // from the corner
+
+  Bend(double whole, int vertices) : turn(whole / vertices), chords(vertices - 1) {
+    const double spanned = chords * turn / 2;
+    radius = math::cos(whole / 2) / math::sin(spanned);
+    chord = 2 * radius * math::sin(turn / 2);
+    const double middle = chords % 2 == 0 ? 1 : math::cos(turn / 2);  // of the circle's radius
+    off = math::sin(whole / 2) - radius * (middle - math::cos(spanned));
+  }
+};
+
+/// Vertices that turn by `whole` together, so that chords are within `error` of a small arc of the given radius.
+int vertices_of(double whole, double radius, double error) {
+  const double turn = std::clamp(2 * std::sqrt(2 * error / radius), kFineTurn, kMostTurn);
+  return std::max(2, static_cast<int>(std::ceil(whole / turn)));
 }
 
 void add_corner(Polyline& line, const Point& a, const Point& b, const Point& c, const Rounding& rounding,
                 const Connector& connector) {
   const Point u = (b - a).normalized(), v = (c - b).normalized();
-  const double turn = math::atan2(cross(u, v), u.dot(v));
-  if (std::abs(turn) < kFineTurn || std::abs(turn) > kPi - kBack) return line.push_back(b);
-  const double tan_half = std::abs(cross(u, v)) / (1 + u.dot(v));
+  const double turn = math::atan2(cross(u, v), u.dot(v)), whole = std::abs(turn);
+  if (whole < kFineTurn || whole > kPi - kBack) return line.push_back(b);
   const double room = std::min(distance(a, b), distance(b, c)) / 2;
-  const double most =
-      rounding.off / (std::sqrt(1 + tan_half * tan_half) - 1) * tan_half;  // from the vertex to where the arc begins
-  const double tangent = std::min(room, most);
-  const double radius = tangent / tan_half, side = turn > 0 ? 1 : -1;
-  const Point begin = b - tangent * u, centre = begin + side * radius * perpendicular(u);
-  const auto chords = static_cast<int>(std::ceil(std::abs(turn) / chord_turn(radius, rounding.chord)));
-  if (chords < 2) return line.push_back(b);
-  const Point step = rotated({1, 0}, turn / chords);
+  const double tan_half = std::abs(cross(u, v)) / (1 + u.dot(v)), secant = std::sqrt(1 + tan_half * tan_half);
+  // From the corner to the first and the last vertex: at most that of an arc, since chords are farther off.
+  const double most = std::min(room, rounding.off / (secant - 1) * tan_half);
+  const Bend about(whole, vertices_of(whole, most / tan_half, rounding.chord));
+  const Bend bend(whole, vertices_of(whole, most * about.radius, rounding.chord));
+  const double tangent = std::min(room, rounding.off / bend.off);
   const std::size_t first = line.size();
-  line.push_back(begin);
-  Point spoke = begin - centre;
-  for (int k = 0; k < chords; ++k) {
-    spoke = step.x() * spoke + step.y() * perpendicular(spoke);
-    const Point next = centre + spoke;
+  line.push_back(b - tangent * u);
+  const Point step = rotated({1, 0}, std::copysign(bend.turn, turn));
+  Point chord = tangent * bend.chord * u;
+  for (int k = 0; k < bend.chords; ++k) {
+    chord = step.x() * chord + step.y() * perpendicular(chord);
+    const Point next = line.back() + chord;
     if (!connector.straight(line.back(), next)) {
       line.resize(first);
       return line.push_back(b);

@@ -16,12 +16,13 @@ Polyline with_fewer_vertices(Polyline curve, double tolerance, const Connector& 
 Polyline without_collinear_vertices(const Polyline& curve);
 
 struct Rounding {
-  double off;    // metres at most from a corner to its arc
-  double chord;  // metres at most from a small arc to its chords
+  double off;    // metres at most from a corner to the chords that replace it
+  double chord;  // metres at most from chords to the small arc that they stand for
 };
 
-/// Corners become arcs tangent to both segments. Their chords turn by at most 0.15 rad, or 0.3 rad where they are still
-/// within `chord` of the arc; vertices that turn by less stay. An arc takes no more than half of a segment.
+/// Corners become chords along an arc that begins and ends on the corner's segments. They turn by equal angles of at
+/// most 0.15 rad, or 0.3 rad where chords are still within `chord` of the arc; vertices that turn by less stay. A
+/// corner takes no more than half of a segment.
 Polyline rounded_corners(const Polyline& curve, const Rounding& rounding, const Connector& connector);
 
 }  // namespace oxturn

@@ -1,4 +1,4 @@
-// One smooth spiral from the middle to the boundary.
+// A smooth spiral from the middle to the boundary, with others nested in it.
 //
 // Source      Held and Spielberger, "A smooth spiral tool path for high speed machining of 2D pockets", Computer-Aided
 //             Design 41(7), 2009; islands after "Improved spiral high-speed machining of multiply-connected pockets",
@@ -19,13 +19,15 @@
 //                first. Otherwise laps of long shapes lie many times closer than the tool is wide, because all parts
 //                have as many laps as the longest branch. Where more than 0.9 of the work would still be done twice
 //                (few laps in narrow shapes), laps are closed and linked: a spiral has one more.
+//                start = nested: the wave may start lower, too, and wide parts then have spirals of their own
+//                (nested_spirals.hpp): without, corridors have as many laps as rooms.
 //             4. Where the boundary has thousands of vertices and islands = bridge, all laps but the last follow the
 //                medial axis of a region whose arcs have fewer vertices: about half of them. They are off by up to 0.02
 //                of the tool's or the robot's width, whichever is less. Where laps are as far apart as they may be and
 //                an arc is off that far, repair covers a seam beside the last.
 //             5. The heights of the spine are compared by an eighth of the feet where there are thousands.
-//             6. Smoothing: vertices that matter less than 0.005 w are left out; corners of 0.15 rad and more become
-//                tangent arcs within 0.02 w, but for those of the last lap, which is the boundary.
+//             6. Smoothing: vertices that matter less than 0.0125 w are left out; corners of 0.15 rad and more become
+//                several within 0.0125 w, but for those of the last lap, which is the boundary.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,6 +37,7 @@
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/polygon/island_cuts.hpp"
+#include "algorithms/polygon/nested_spirals.hpp"
 #include "algorithms/polygon/smooth_curve.hpp"
 #include "algorithms/polygon/wave_tree.hpp"
 #include "algorithms/transit/short_segments.hpp"
@@ -46,28 +49,23 @@ namespace {
 
 // Tool widths.
 constexpr double kStep = 0.95;         // between laps
-constexpr double kSkip = 0.005;        // by which vertices may be left out
-constexpr double kRound = 0.02;        // by which arcs may cut corners
+constexpr double kSkip = 0.0125;       // by which vertices may be left out
+constexpr double kRound = 0.0125;      // by which corners may be cut
 constexpr double kChord = 0.01;        // error of the axis' parabolas
 constexpr double kChordError = 0.001;  // of small arcs
 constexpr double kCoarser = 0.02;      // tool or robot widths by which arcs may be off, for all laps but the last
 constexpr double kBridge = 1e-3;       // width of the cuts along bridges
 constexpr double kLeastCut = 1e-6;     // the same at least, of the map's extent
 constexpr double kSpineHeight = 1.5;   // greatest clearances
-constexpr double kLongShape = 3;       // greatest clearances
-constexpr double kLowestSpine = 1;     // greatest clearances; below, the spine would have branches of spokes
-constexpr double kMostClosed = 5;      // laps: with more, one fewer matters little
-constexpr double kMostOverlap = 0.9;   // of a spiral
-constexpr double kClearlyLess = 0.97;  // of the length; a lower spine has more branches, driven there and back
 
 constexpr std::size_t kManyVertices = 8192;  // of the boundary, from which on all laps but the last are coarser
 
-enum class Start { spine, centre, start };
+enum class Start { nested, spine, centre, start };
 enum class Direction { out, in };
 enum class Islands { bridge, decompose };
 
 struct Params {
-  Start start = Start::spine;
+  Start start = Start::nested;
   Islands islands = Islands::bridge;
   Direction direction = Direction::out;
   bool repair = true;
@@ -76,7 +74,7 @@ struct Params {
 Region without_holes(const Region& space, const Params& p, double width, const Context& context) {
   const double cut = std::max(kBridge * width, kLeastCut * bounding_box(space).size().maxCoeff());
   if (p.islands == Islands::bridge) return bridged(space, cut);
-  const double height = p.start == Start::spine ? kSpineHeight : kRootAlone;
+  const double height = p.start == Start::nested || p.start == Start::spine ? kSpineHeight : kRootAlone;
   return decomposed(space, {cut, kChord * width, height}, context);
 }
 
@@ -108,42 +106,17 @@ class Rings {
   std::vector<std::pair<std::size_t, std::size_t>> ring_of_;  // by edge: its ring's first edge, and how many
 };
 
-/// Laps too close to each other: the length times the width over the area of the shape and of a band about it.
-bool bunched(const WaveTree::Measures& of, double width) {
-  const double swept = of.area + of.boundary * width / 2;
-  return (of.spine + of.laps + of.boundary) * width > (1 + kMostOverlap) * swept;
-}
-
-/// The shortest over some heights of the spine.
-WaveSpiral spiral_from_spine(WaveTree& tree, double width, const Point& near) {
-  const double step = kStep * width, clearance = tree.greatest_clearance(), height = tree.height();
-  double shortest = std::numeric_limits<double>::infinity(), best = 0;
-  bool closed_is_best = false;
-  for (const double clearances : {kRootAlone, kSpineHeight, kLowestSpine}) {
-    if (clearances == kRootAlone && height > kLongShape * clearance) continue;  // as many times as many laps
-    const double high = std::min(clearances * clearance, height), laps = high / step;
-    WaveTree::Measures found{};
-    bool closed = laps <= 1;
-    if (!closed) {
-      found = tree.spiral_measures(laps, high, near);
-      closed = laps <= kMostClosed && bunched(found, width);
-    }
-    if (closed) found = tree.closed_measures(laps, high, near);
-    if (const double metres = found.spine + found.laps; metres < kClearlyLess * shortest)
-      shortest = metres, best = high, closed_is_best = closed;
-  }
-  return closed_is_best ? tree.closed_laps(best / step, best, near) : tree.spiral(best / step, best, near);
-}
-
 /// A tree's spiral as it is driven outwards.
 Polyline spiral_of(WaveTree tree, const Rings& rings, const Params& p, const Problem& problem,
                    const Connector& connector) {
   const double w = problem.robot().tool_width;
   p.start == Start::start ? tree.root_near(problem.start()) : tree.root_at_centre();
+  const LapWidths widths{w, kStep * w};
   WaveSpiral spiral =
-      p.start == Start::spine
-          ? spiral_from_spine(tree, w, problem.start())
-          : tree.spiral(std::max(1.0, std::ceil(tree.height() / (kStep * w) - 1e-9)), kRootAlone, problem.start());
+      p.start == Start::nested ? nested_spirals(tree, widths, problem.start())
+      : p.start == Start::spine
+          ? spiral_from_spine(tree, widths, problem.start())
+          : tree.spiral(std::max(1.0, std::ceil(tree.height() / widths.step - 1e-9)), kRootAlone, problem.start());
   Polyline curve = std::move(spiral.laps);  // millions of points: nothing copies them
   curve.insert(curve.begin(), spiral.spine.begin(), spiral.spine.end());
   curve = with_fewer_vertices(std::move(curve), kSkip * w, connector);
@@ -209,17 +182,19 @@ PlannerInfo smooth_spiral() {
   return describe<Params, plan>(
       {.name = "smooth-spiral",
        .family = "polygon",
-       .title = "one smooth spiral from the middle to the boundary",
+       .title = "smooth spirals from the middle to the boundary, nested where wide parts meet narrow ones",
        .citation = "Held, Spielberger 2009",
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
-       .parameters = {{"start", &Params::start, Choices{"spine", "centre", "start"},
-                       "from where the spiral grows: the axis' middle part, its centre, or the robot's start"},
-                      {"islands", &Params::islands, Choices{"bridge", "decompose"},
-                       "bridge: connected with the boundary, one spiral; decompose: cut into parts with even laps"},
-                      {"direction", &Params::direction, Choices{"out", "in"}, "driven outwards or inwards"},
-                      {"repair", &Params::repair, "cover what rounding leaves at bridges"}},
+       .parameters =
+           {{"start", &Params::start, Choices{"nested", "spine", "centre", "start"},
+             "from where the spiral grows: nested: the axis' middle parts, with a spiral in each wide part; spine: "
+             "its middle part alone; centre: its centre; start: the robot's start"},
+            {"islands", &Params::islands, Choices{"bridge", "decompose"},
+             "bridge: connected with the boundary, one spiral; decompose: cut into parts with even laps"},
+            {"direction", &Params::direction, Choices{"out", "in"}, "driven outwards or inwards"},
+            {"repair", &Params::repair, "cover what rounding leaves at bridges"}},
        .published = {{"start", std::string("centre")}, {"repair", false}}});
 }
 

@@ -10,10 +10,7 @@
 namespace oxturn {
 namespace {
 
-constexpr double kLeastBranch = 1e-6;       // heights of the tree: shorter ones are rounding
-constexpr std::size_t kManyLeaves = 32768;  // from which on laps are measured by samples
-constexpr std::size_t kRun = 2;             // leaves of a sample
-constexpr std::size_t kRunsForSample = 8;   // of which one is looked at
+constexpr double kLeastBranch = 1e-6;  // heights of the tree: shorter ones are rounding
 
 }  // namespace
 
@@ -170,16 +167,20 @@ void WaveTree::set_times(double start_height) {
   }
 }
 
-std::vector<double> WaveTree::arrivals(double start_height) {
+void WaveTree::start_at(double start_height) {
   if (start_height < height()) cut_at(start_height);
   set_times(start_height);
+}
+
+std::vector<double> WaveTree::arrivals(double start_height) {
+  start_at(start_height);
   std::vector<double> times;
   for (const std::size_t leaf : leaves_) times.push_back(time_[leaf]);
   return times;
 }
 
 double WaveTree::step_variation(double start_height) {
-  arrivals(start_height);
+  start_at(start_height);
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const std::size_t q : order_) {
     const double size = distance(nodes_[parent_[q]].at, nodes_[q].at), far = size + height_[q];
@@ -197,191 +198,65 @@ std::vector<WaveTree::Index> WaveTree::starts() const {
   return start;
 }
 
-/// The node of the spine farthest from another one.
-std::size_t WaveTree::spine_end(std::size_t from) const {
-  const std::vector<double> far = distances(from, 0);
-  std::size_t best = from;
-  for (std::size_t k = 0; k < nodes_.size(); ++k)
-    if (time_[k] == 0 && far[k] > far[best]) best = k;
-  return best;
-}
-
-/// Over all branches of the spine, each but those on the path between the ends there and back.
-Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
-  std::vector<std::size_t> before(nodes_.size(), nodes_.size()), open{from};
-  before[from] = from;
-  for (std::size_t k = 0; k < open.size(); ++k)
-    for (const Index next : links(open[k]))
-      if (before[next] == nodes_.size() && time_[next] == 0) {
-        before[next] = open[k];
-        open.push_back(next);
-      }
-  std::vector<bool> on_path(nodes_.size(), false);
-  for (std::size_t at = to; !on_path[at]; at = before[at]) on_path[at] = true;
-  struct Visit {
-    std::size_t node, parent;
-    std::size_t next = 0;
-    bool last_round = false;
-  };
-  Polyline walk{nodes_[from].at};
-  std::vector<Visit> stack{{from, from}};
-  while (!stack.empty()) {
-    Visit& v = stack.back();
-    const std::span<const Index> links = this->links(v.node);
-    std::size_t child = nodes_.size();
-    while (v.next < links.size() && child == nodes_.size()) {
-      const std::size_t c = links[v.next++];
-      if (c != v.parent && time_[c] == 0 && on_path[c] == v.last_round) child = c;
-    }
-    if (child < nodes_.size()) {
-      walk.push_back(nodes_[child].at);
-      stack.push_back({child, v.node});
-    } else if (on_path[v.node] && !v.last_round && v.node != to) {  // side branches are done
-      v.last_round = true;
-      v.next = 0;
-    } else if (v.node == to) {
-      break;
-    } else {
-      walk.push_back(nodes_[v.parent].at);
-      stack.pop_back();
-    }
-  }
-  return walk;
-}
-
-void WaveTree::path_to(std::size_t leaf, std::vector<Crossing>& path) const {
-  path.clear();
-  for (std::size_t at = leaf;; at = parent_[at]) {
-    path.push_back({time_[at], nodes_[at].at});
-    if (time_[at] == 0) break;
-  }
-  std::ranges::reverse(path);
-}
-
-Point WaveTree::wave_at(const std::vector<Crossing>& path, double time, std::size_t& passed) const {
-  while (passed + 1 < path.size() && path[passed + 1].time <= time) ++passed;
-  const Crossing& before = path[passed];
-  if (passed + 1 == path.size()) return before.at;
-  const Crossing& after = path[passed + 1];
-  return lerp(before.at, after.at, (time - before.time) / (after.time - before.time));
-}
-
-std::size_t WaveTree::begin_spiral(WaveSpiral& spiral, double start_height, const Point& near) {
-  arrivals(start_height);
-  const std::size_t end = spine_end(root_), begin = spine_end(end), n = leaves_.size();
+/// Calls f(a, b) for each link of the spine, once in each direction: round about it, in the order of the leaves.
+template <class F>
+void WaveTree::walk_round_spine(F f) const {
+  std::vector<Index> rank(nodes_.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) rank[order_[k]] = static_cast<Index>(k);
   const std::vector<Index> start = starts();
-  std::size_t first = n;
+  std::vector<Index> down;
+  const std::size_t n = leaves_.size();
   for (std::size_t j = 0; j < n; ++j) {
-    if (start[leaves_[j]] != end) continue;
-    if (first == n || distance(nodes_[leaves_[j]].at, near) < distance(nodes_[leaves_[first]].at, near)) first = j;
+    const std::size_t leaf = (j + 1) % n;
+    Index from = start[leaves_[j]], to = start[leaves_[leaf]];
+    for (down.clear(); from != to;) {
+      if (rank[from] > rank[to]) {
+        f(from, parent_[from], leaf);
+        from = parent_[from];
+      } else {
+        down.push_back(to);
+        to = parent_[to];
+      }
+    }
+    for (; !down.empty(); down.pop_back()) f(parent_[down.back()], down.back(), leaf);
   }
-  if (first == n) first = 0;
-  spiral.spine = walk_spine(begin, start[leaves_[first]]);
-  return first;
 }
 
-Polyline WaveTree::boundary_from(std::size_t leaf) const {
-  Polyline boundary;
-  for (std::size_t j = 0; j <= leaves_.size(); ++j) boundary.push_back(nodes_[leaves_[(leaf + j) % leaves_.size()]].at);
-  return boundary;
-}
-
-WaveSpiral WaveTree::spiral(double laps, double start_height, const Point& near) {
-  WaveSpiral spiral;
-  const std::size_t first = begin_spiral(spiral, start_height, near), n = leaves_.size();
-  const double each = laps * static_cast<double>(n);
-  const auto count = static_cast<std::size_t>(std::ceil(each - 1e-9));
-  spiral.laps.reserve(spiral.spine.size() + count);  // the spine may be put before them
-  spiral.laps.resize(count);
-  std::vector<Crossing> path;
-  for (std::size_t j = 0; j < std::min(n, count); ++j) {
-    path_to(leaves_[(first + j) % n], path);
-    std::size_t passed = 0;
-    for (std::size_t i = j; i < count; i += n) spiral.laps[i] = wave_at(path, static_cast<double>(i) / each, passed);
-  }
-  spiral.boundary = boundary_from((first + count) % n);
-  return spiral;
-}
-
-WaveSpiral WaveTree::closed_laps(double laps, double start_height, const Point& near) {
-  WaveSpiral spiral;
-  const std::size_t first = begin_spiral(spiral, start_height, near), n = leaves_.size();
-  std::vector<Crossing> link, path;
-  path_to(leaves_[first], link);
-  const double rings = std::max(0.0, std::ceil(laps - 1e-9) - 1);
-  double last = 0;
-  const auto link_to = [&](double time) {
-    for (const Crossing& c : link)
-      if (c.time > last && c.time < time) spiral.laps.push_back(c.at);
-    last = time;
+std::vector<WidePart> WaveTree::wide_parts(double start_height) const {
+  const std::vector<Index> start = starts();
+  std::vector<bool> inside(nodes_.size());  // of the first lap
+  for (const Index k : order_) inside[k] = time_[k] == 0;
+  for (const std::size_t leaf : leaves_) inside[start[leaf]] = false;
+  struct Part {
+    std::vector<Node> nodes = {};
+    std::vector<std::pair<std::size_t, std::size_t>> links = {};
+    std::vector<std::size_t> leaves = {}, leaf = {};
   };
-  const bool no_spine = laps - rings <= 0.5;
-  if (no_spine) spiral.spine.clear(), last = 1;
-  for (double ring = rings; ring > 0; --ring) {
-    const double time = 1 - ring / laps;
-    link_to(time);
-    for (std::size_t j = 0; j <= n; ++j) {
-      path_to(leaves_[(first + j) % n], path);
-      std::size_t passed = 0;
-      spiral.laps.push_back(wave_at(path, time, passed));
-    }
+  std::vector<Part> parts;
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> part_of(nodes_.size(), kNone), index(nodes_.size());
+  for (const Index k : order_) {
+    if (!inside[k]) continue;
+    const std::size_t above = k == root_ ? kNone : part_of[parent_[k]];
+    part_of[k] = above == kNone ? parts.size() : above;
+    if (above == kNone) parts.emplace_back();
+    Part& part = parts[part_of[k]];
+    index[k] = part.nodes.size();
+    if (above != kNone) part.links.push_back({index[parent_[k]], index[k]});
+    part.nodes.push_back({nodes_[k].at, std::max(0.0, nodes_[k].clearance - start_height)});
   }
-  link_to(1);
-  spiral.boundary = boundary_from(first);
-  return spiral;
-}
-
-/// Of the laps between neighbouring leaves, summed over samples; time(lap, j) is when the wave is at the j-th leaf's
-/// vertex of a lap.
-template <class Times>
-double WaveTree::sampled_length(std::size_t first, std::size_t laps, Times time) const {
-  const std::size_t n = leaves_.size(), size = n < kManyLeaves ? n : kRun,
-                    step = n < kManyLeaves ? n : kRun * kRunsForSample;
-  std::vector<Crossing> path;
-  Polyline before, now;
-  double metres = 0;
-  std::size_t pairs = 0;
-  for (std::size_t run = 0; run < n; run += step) {
-    for (std::size_t j = run; j <= std::min(run + size, n); ++j) {
-      path_to(leaves_[(first + j) % n], path);
-      std::size_t passed = 0;
-      now.clear();
-      for (std::size_t lap = 0; lap < laps; ++lap) now.push_back(wave_at(path, std::min(1.0, time(lap, j)), passed));
-      if (j > run) ++pairs;
-      for (std::size_t lap = 0; lap < laps && j > run && time(lap, j) <= 1; ++lap)
-        metres += distance(before[lap], now[lap]);
-      std::swap(before, now);
-    }
-  }
-  return metres * static_cast<double>(n) / static_cast<double>(pairs);
-}
-
-WaveTree::Measures WaveTree::begin_measures(const WaveSpiral& begun, std::size_t first) const {
-  const Polyline boundary = boundary_from(first);
-  return {length(begun.spine), 0, length(boundary), std::abs(signed_area({boundary.begin(), boundary.end() - 1}))};
-}
-
-WaveTree::Measures WaveTree::spiral_measures(double laps, double start_height, const Point& near) {
-  WaveSpiral begun;
-  const std::size_t first = begin_spiral(begun, start_height, near), n = leaves_.size();
-  Measures measures = begin_measures(begun, first);
-  const auto rounds = static_cast<std::size_t>(std::ceil(laps));
-  measures.laps = sampled_length(first, rounds, [&](std::size_t lap, std::size_t j) {
-    return (static_cast<double>(lap) + static_cast<double>(j) / static_cast<double>(n)) / laps;
+  walk_round_spine([&](Index a, Index b, std::size_t leaf) {
+    if (part_of[a] == kNone || part_of[b] != kNone) return;
+    Part& part = parts[part_of[a]];
+    part.links.push_back({index[a], part.nodes.size()});
+    part.leaves.push_back(part.nodes.size());
+    part.leaf.push_back(start[leaves_[leaf]] == b ? leaf : WidePart::kGate);
+    part.nodes.push_back({nodes_[b].at, 0});
   });
-  return measures;
-}
-
-WaveTree::Measures WaveTree::closed_measures(double laps, double start_height, const Point& near) {
-  WaveSpiral begun;
-  const std::size_t first = begin_spiral(begun, start_height, near);
-  Measures measures = begin_measures(begun, first);
-  const double rings = std::max(0.0, std::ceil(laps - 1e-9) - 1);
-  if (laps - rings <= 0.5) measures.spine = 0;
-  measures.laps = sampled_length(first, static_cast<std::size_t>(rings), [&](std::size_t lap, std::size_t) {
-    return 1 - (rings - static_cast<double>(lap)) / laps;
-  });
-  return measures;
+  std::vector<WidePart> result;
+  for (Part& part : parts)
+    result.push_back({WaveTree(std::move(part.nodes), part.links, std::move(part.leaves)), std::move(part.leaf)});
+  return result;
 }
 
 std::vector<WaveTree> wave_trees(const MedialAxis& axis) {

@@ -30,7 +30,10 @@ struct WaveSpiral {
   Polyline spine = {};     // a walk over the part where time is 0, to the spiral's beginning; one point: the root
   Polyline laps = {};      // from the end of the spine to the last lap, exclusive
   Polyline boundary = {};  // the last lap, closed
+  double begin = 0;        // the time at which the laps begin: not 0 where there is no spine
 };
+
+struct WidePart;
 
 constexpr double kRootAlone = std::numeric_limits<double>::infinity();  // a start height: no spine
 
@@ -63,6 +66,22 @@ class WaveTree {
   /// Closed laps in place of the spiral, each linked to the next: one fewer. The boundary is the last of
   /// `laps`, which need not be whole. No spine where it is within half a lap's distance of the first one.
   WaveSpiral closed_laps(double laps, double start_height, const Point& near);
+  /// The wave leaves all that is higher than `start_height` at time 0, in what the functions up to leaf_nearest()
+  /// return.
+  void start_at(double start_height);
+  /// By leaf: where the path to it leaves time 0. Joined in this order they are the wave's first lap: each connection
+  /// lies in a face between two neighbouring branches.
+  Polyline first_lap() const;
+  /// Whole laps (one at least) from a leaf on, and back to it: a spiral or closed ones. The spine, if it is wanted, is
+  /// walked from there and back, too.
+  WaveSpiral laps_at(std::size_t leaf, double laps, bool closed, bool spine) const;
+  /// The path from a leaf inwards, from `time` on, without the leaf.
+  Polyline branch(std::size_t leaf, double time) const;
+  /// The parts of the tree inside of the first lap, where the wave starts at `start_height`: wide parts, and points of
+  /// narrow ones without spokes.
+  std::vector<WidePart> wide_parts(double start_height) const;
+  std::size_t leaf_nearest(const Point& p) const;
+
   /// Metres of the spiral's spine, of its laps and of the boundary, and the area within the boundary. Where there are
   /// thousands of leaves, those of the laps are estimated from an eighth of them.
   struct Measures {
@@ -71,6 +90,12 @@ class WaveTree {
   Measures spiral_measures(double laps, double start_height, const Point& near);
   /// The same of closed laps.
   Measures closed_measures(double laps, double start_height, const Point& near);
+  /// The same of closed laps that begin with the wave's first lap, which counts as spine; and the area inside that.
+  struct NestedMeasures {
+    Measures of;
+    double inside;
+  };
+  NestedMeasures nested_measures(std::size_t laps, double start_height) const;
 
  private:
   using Index = std::uint32_t;
@@ -87,13 +112,21 @@ class WaveTree {
   std::size_t spine_end(std::size_t from) const;
   Polyline walk_spine(std::size_t from, std::size_t to) const;
   std::vector<Index> starts() const;
+  template <class F>
+  void walk_round_spine(F f) const;
   void path_to(std::size_t leaf, std::vector<Crossing>& path) const;
+  /// The same if the wave starts at a height, which may be another one than that of start_at().
+  void path_from(double start_height, std::size_t leaf, std::vector<Crossing>& path) const;
+  void add_spiral(WaveSpiral& spiral, std::size_t first, double laps) const;
+  void add_closed_laps(WaveSpiral& spiral, std::size_t first, double laps) const;
   /// At a time not before the last one, whose crossing is `passed` (0 at first).
   Point wave_at(const std::vector<Crossing>& path, double time, std::size_t& passed) const;
   /// Arrivals; the spine to the first leaf, whose index is returned.
   std::size_t begin_spiral(WaveSpiral& spiral, double start_height, const Point& near);
   Polyline boundary_from(std::size_t leaf) const;
   Measures begin_measures(const WaveSpiral& begun, std::size_t first) const;
+  template <class PathTo, class Times, class Add>
+  double sample_laps(std::size_t first, std::size_t laps, PathTo path_to, Times time, Add add) const;
   template <class Times>
   double sampled_length(std::size_t first, std::size_t laps, Times time) const;
 
@@ -109,6 +142,14 @@ class WaveTree {
   // Of the rooted tree: nodes, parents first; and by node.
   std::vector<Index> order_, parent_;
   std::vector<double> height_, time_;
+};
+
+/// A part of a tree inside of the wave's first lap, on which its leaves are. Clearances are those to the first lap.
+struct WidePart {
+  static constexpr std::size_t kGate = static_cast<std::size_t>(-1);
+  WaveTree tree;
+  /// By leaf of `tree`: the leaf of the whole tree whose branch begins there; kGate: none does, a narrow part does.
+  std::vector<std::size_t> leaf;
 };
 
 /// One tree for each connected component of the axis. Links that would close a cycle are left out.

@@ -112,7 +112,7 @@ TEST(SmoothSpiral, DoesNotCrossItself) {
 TEST(SmoothSpiral, CoversWithoutRepair) {
   for (const auto seed : seeds(3))
     for (const char* family : {"polygon", "clutter", "field"})
-      for (const char* start : {"spine", "centre", "start"}) {
+      for (const char* start : {"nested", "spine", "centre", "start"}) {
         SCOPED_TRACE(fmt::format("{} {} {}", family, seed, start));
         const Problem p(generate(family, {{"width", 9.0}, {"height", 8.0}}, seed), Robot{});
         const Path path = plan("smooth-spiral", p, {{"repair", false}, {"start", std::string(start)}});
@@ -199,7 +199,7 @@ TEST(SmoothCurve, StaysWithinItsTolerances) {
   const Polyline arc = rounded_corners({{0, 0}, {4, 0}, {4, 4}}, {.off = 0.1, .chord = 1e-4}, connector);
   const double r = 0.1 / (std::sqrt(2) - 1);
   EXPECT_NEAR(length(arc), 8 - 2 * r + kPi / 2 * r, 1e-3);
-  EXPECT_EQ(arc.size(), 14u);  // 11 chords of at most 0.15 rad, and both ends
+  EXPECT_EQ(arc.size(), 13u);  // 11 turns of at most 0.15 rad, and both ends
   EXPECT_EQ(without_collinear_vertices({{0, 0}, {1, 0}, {2, 0}, {2, 1}}), (Polyline{{0, 0}, {2, 0}, {2, 1}}));
 }
 
@@ -216,14 +216,19 @@ TEST(SmoothCurve, HasNoMoreVerticesThanSmoothnessAsksFor) {
         EXPECT_EQ(round, corner);
         continue;
       }
-      double sum = 0, most = 0;
+      double sum = 0, most = 0, least = 4;
       for (std::size_t i = 1; i + 1 < round.size(); ++i) {
         const Point u = round[i] - round[i - 1], v = round[i + 1] - round[i];
         const double angle = std::atan2(cross(u, v), u.dot(v));
-        sum += angle, most = std::max(most, angle);
+        sum += angle, most = std::max(most, angle), least = std::min(least, angle);
       }
       EXPECT_NEAR(sum, turn, 1e-9);
       EXPECT_LE(most, 0.3 + 1e-9);
+      EXPECT_NEAR(least, most, 1e-9);
+      double away = 4;
+      for (std::size_t i = 1; i < round.size(); ++i)
+        away = std::min(away, distance_to_segment({0, 0}, round[i - 1], round[i]));
+      EXPECT_LE(away, off * (1 + 1e-9));
       // Where chords turn by more than 0.15 rad, the arc bulges beyond them by its radius times 1 - cos(half of that).
       const double radius = distance(round[1], round[2]) / (2 * std::sin(most / 2));
       if (round.size() > 3 && most > 0.15) { EXPECT_LE(radius * (1 - std::cos(most / 2)), chord * 1.01); }
