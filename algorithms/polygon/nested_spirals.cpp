@@ -81,6 +81,7 @@ WaveSpiral nested(WaveTree& tree, const Choice& choice, const LapWidths& widths,
 /// Inside a wide part, from a leaf and back to it; empty where the tool reaches all of it from outside.
 Polyline inside(WaveTree& tree, const LapWidths& widths, std::size_t leaf, const Point& near) {
   if (tree.greatest_clearance() <= kReached * widths.step) return {};
+  tree.stop_before(kReached * widths.step);
   tree.root_at_centre();
   const Choice choice = choice_for(tree, widths, near);
   WaveSpiral spiral;
@@ -146,6 +147,8 @@ WaveSpiral spiral_from_spine(WaveTree& tree, const LapWidths& widths, const Poin
 }
 
 WaveSpiral nested_spirals(WaveTree& tree, const LapWidths& widths, const Point& near) {
+  if (tree.greatest_clearance() > kReached * widths.step) tree.stop_before(kReached * widths.step);
+  tree.root_at_centre();
   const Choice choice = choice_for(tree, widths, near);
   return choice.nested ? nested(tree, choice, widths, tree.leaf_nearest(near)) : spiral_of(tree, choice, widths, near);
 }

@@ -17,9 +17,12 @@
 ///   |  '-------------'  .------.  '-----'  |
 ///   '------------------'        '---------'
 ///
+/// Laps do not go into dead ends that the tool covers from the boundary: those narrower than a step.
+///
 /// Guarantee   no point is farther than half a step from the curve, since the wave sweeps all between the first lap and
 ///             the boundary, and all in each wide part, whose boundary is the first lap. Wide parts without a curve
-///             reach half a step inwards from the first lap at most.
+///             reach half a step inwards from the first lap at most. Where the wave waits before a dead end, half a
+///             step from its walls, the last lap before is at most half a step away.
 /// Complexity  O(l d k) to compare k numbers of laps over l leaves at depth d, k about 3 log(clearance / step); the
 ///             same again for each level of nested parts, which together have no more leaves than the whole; and the
 ///             output

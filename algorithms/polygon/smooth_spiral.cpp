@@ -20,7 +20,8 @@
 //                have as many laps as the longest branch. Where more than 0.9 of the work would still be done twice
 //                (few laps in narrow shapes), laps are closed and linked: a spiral has one more.
 //                start = nested: the wave may start lower, too, and wide parts then have spirals of their own
-//                (nested_spirals.hpp): without, corridors have as many laps as rooms.
+//                (nested_spirals.hpp): without, corridors have as many laps as rooms. Laps do not go into dead ends
+//                that are covered from the boundary.
 //             4. Where the boundary has thousands of vertices and islands = bridge, all laps but the last follow the
 //                medial axis of a region whose arcs have fewer vertices: about half of them. They are off by up to 0.02
 //                of the tool's or the robot's width, whichever is less. Where laps are as far apart as they may be and

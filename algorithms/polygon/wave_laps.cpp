@@ -67,7 +67,10 @@ Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
 
 void WaveTree::path_to(std::size_t leaf, std::vector<Crossing>& path) const {
   path.clear();
-  for (std::size_t at = leaf;; at = parent_[at]) {
+  std::size_t at = leaf;
+  for (; dead_end_[at]; at = parent_[at]) path.push_back({1, nodes_[at].at});
+  if (at != leaf) path.push_back({1, nodes_[at].at});  // where the wave waits
+  for (;; at = parent_[at]) {
     path.push_back({time_[at], nodes_[at].at});
     if (time_[at] == 0) break;
   }
@@ -77,6 +80,8 @@ void WaveTree::path_to(std::size_t leaf, std::vector<Crossing>& path) const {
 void WaveTree::path_from(double start_height, std::size_t leaf, std::vector<Crossing>& path) const {
   path.clear();
   std::size_t at = leaf;
+  while (dead_end_[at]) at = parent_[at];
+  const std::size_t end = at;
   for (; height_[at] < start_height && at != root_; at = parent_[at]) path.push_back({height_[at], nodes_[at].at});
   Point start = nodes_[at].at;  // a node, unless the height is passed between two
   if (!path.empty() && height_[at] >= start_height) {
@@ -90,6 +95,7 @@ void WaveTree::path_from(double start_height, std::size_t leaf, std::vector<Cros
     const double size = distance(path[k - 1].at, path[k].at), far = size + path[k].time, before = path[k - 1].time;
     path[k].time = far > 0 ? before + (1 - before) * size / far : 1;
   }
+  if (end != leaf) path.push_back({1, nodes_[end].at}), path.push_back({1, nodes_[leaf].at});
 }
 
 Point WaveTree::wave_at(const std::vector<Crossing>& path, double time, std::size_t& passed) const {
@@ -132,7 +138,15 @@ void WaveTree::add_spiral(WaveSpiral& spiral, std::size_t first, double laps) co
     std::size_t passed = 0;
     for (std::size_t i = j; i < count; i += n) spiral.laps[i] = wave_at(path, static_cast<double>(i) / each, passed);
   }
+  path_to(leaves_[(first + count) % n], path);
+  add_dead_end(path, spiral.laps);
   spiral.boundary = boundary_from((first + count) % n);
+}
+
+/// From where the wave waits to the leaf, exclusive.
+void WaveTree::add_dead_end(const std::vector<Crossing>& path, Polyline& line) {
+  for (std::size_t k = 0; k + 1 < path.size(); ++k)
+    if (path[k].time == 1 && path[k].at != path.back().at) line.push_back(path[k].at);
 }
 
 WaveSpiral WaveTree::spiral(double laps, double start_height, const Point& near) {
@@ -165,6 +179,7 @@ void WaveTree::add_closed_laps(WaveSpiral& spiral, std::size_t first, double lap
     }
   }
   link_to(1);
+  add_dead_end(link, spiral.laps);
   spiral.boundary = boundary_from(first);
 }
 

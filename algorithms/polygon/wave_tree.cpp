@@ -10,7 +10,9 @@
 namespace oxturn {
 namespace {
 
-constexpr double kLeastBranch = 1e-6;  // heights of the tree: shorter ones are rounding
+constexpr double kLonger = 1 + 1e-6;    // times the clearance's change: no spoke
+constexpr double kNarrower = 1 - 1e-9;  // times the reach
+constexpr double kLeastBranch = 1e-6;   // heights of the tree: shorter ones are rounding
 
 }  // namespace
 
@@ -28,6 +30,7 @@ WaveTree::WaveTree(std::vector<Node> nodes, const std::vector<std::pair<std::siz
     links_[next[b]++] = static_cast<Index>(a);
   }
   renumber();
+  dead_end_.assign(nodes_.size(), false);
   orient();
 }
 
@@ -69,13 +72,17 @@ void WaveTree::orient() {
       }
   for (std::size_t k = order_.size(); k-- > 1;) {
     const std::size_t q = order_[k], p = parent_[q];
-    height_[p] = std::max(height_[p], height_[q] + distance(nodes_[p].at, nodes_[q].at));
+    if (!dead_end_[q])
+      height_[p] = std::max(height_[p], height_[q] + distance(nodes_[p].at, nodes_[q].at));
+    else if (!dead_end_[p])
+      height_[p] = std::max(height_[p], reach_);
   }
 }
 
 std::size_t WaveTree::add(const Node& node, std::size_t a, std::size_t b) {
   const std::size_t added = nodes_.size();
   nodes_.push_back(node);
+  dead_end_.push_back(false);
   for (const std::size_t end : {a, b}) {
     Index* const begin = links_.data();
     std::replace(begin + first_link_[end], begin + first_link_[end + 1], static_cast<Index>(end == a ? b : a),
@@ -96,7 +103,7 @@ std::vector<double> WaveTree::distances(std::size_t from, double latest) const {
     const std::size_t at = open.back();
     open.pop_back();
     for (const Index next : links(at))
-      if (far[next] < 0 && (latest >= 1 || time_[next] <= latest)) {
+      if (far[next] < 0 && !dead_end_[next] && (latest >= 1 || time_[next] <= latest)) {
         far[next] = far[at] + distance(nodes_[at].at, nodes_[next].at);
         open.push_back(next);
       }
@@ -109,7 +116,7 @@ void WaveTree::root_at_centre() {
     const std::vector<double> far = distances(from, 1);
     return static_cast<std::size_t>(std::ranges::max_element(far) - far.begin());
   };
-  root_ = farthest(0);
+  root_ = farthest(root_);
   orient();
   const std::size_t end = farthest(root_);
   const double half = height_[root_] / 2;
@@ -143,13 +150,59 @@ double WaveTree::greatest_clearance() const {
   return most;
 }
 
+/// Where links that are longer than the clearance changes pass a clearance. (Spokes are not longer.)
+void WaveTree::split_dead_ends(double reach) {
+  const std::size_t n = nodes_.size();
+  for (std::size_t a = 0; a < n; ++a) {
+    if (nodes_[a].clearance <= reach) continue;
+    for (std::size_t k = first_link_[a]; k < first_link_[a + 1]; ++k) {
+      const std::size_t b = links_[k];
+      const double drop = nodes_[a].clearance - nodes_[b].clearance;
+      if (b >= n || !(nodes_[b].clearance < reach) || distance(nodes_[a].at, nodes_[b].at) <= drop * kLonger) continue;
+      add({lerp(nodes_[a].at, nodes_[b].at, (nodes_[a].clearance - reach) / drop), reach}, a, b);
+    }
+  }
+}
+
+void WaveTree::stop_before(double reach) {
+  split_dead_ends(reach);
+  reach_ = reach;
+  const double narrow = reach * kNarrower;
+  std::vector<std::size_t> goes_on(nodes_.size()), open;  // by node: how many links lead to no leaf and no dead end
+  std::vector<bool> leaf(nodes_.size(), false);
+  for (const std::size_t k : leaves_) leaf[k] = true;
+  const auto ends = [&](std::size_t a) {
+    return goes_on[a] <= 1 && nodes_[a].clearance < narrow && std::ranges::all_of(links(a), [&](std::size_t b) {
+             return leaf[b] || dead_end_[b] || nodes_[b].clearance <= reach;
+           });
+  };
+  for (std::size_t a = 0; a < nodes_.size(); ++a) {
+    if (leaf[a]) continue;
+    for (const Index b : links(a)) goes_on[a] += leaf[b] ? 0 : 1;
+    if (ends(a)) open.push_back(a);
+  }
+  while (!open.empty()) {
+    const std::size_t a = open.back();
+    open.pop_back();
+    dead_end_[a] = true;
+    for (const Index b : links(a))
+      if (!leaf[b] && !dead_end_[b] && --goes_on[b] == 1 && ends(b)) open.push_back(b);
+  }
+  for (const std::size_t k : leaves_) {
+    const std::size_t a = links(k).front();
+    dead_end_[k] = dead_end_[a] || (nodes_[a].clearance <= reach && distance(nodes_[a].at, nodes_[k].at) > reach);
+  }
+  if (dead_end_[root_]) root_ = static_cast<std::size_t>(std::ranges::find(dead_end_, false) - dead_end_.begin());
+  orient();
+}
+
 /// Nodes where branches pass a height above the boundary.
 void WaveTree::cut_at(double height) {
   const std::vector<Index> order = order_, parent = parent_;
   for (std::size_t k = 1; k < order.size(); ++k) {
     const std::size_t q = order[k], p = parent[q];
     const double size = distance(nodes_[p].at, nodes_[q].at), below = height - height_[q];
-    if (!(below > 0 && below < size)) continue;
+    if (dead_end_[q] || !(below > 0 && below < size)) continue;
     const double t = below / size;
     add({lerp(nodes_[q].at, nodes_[p].at, t), std::lerp(nodes_[q].clearance, nodes_[p].clearance, t)}, p, q);
   }
@@ -161,7 +214,8 @@ void WaveTree::set_times(double start_height) {
   time_.assign(nodes_.size(), 0);
   for (std::size_t k = 1; k < order_.size(); ++k) {
     const std::size_t q = order_[k], p = parent_[q];
-    if (height_[q] >= high) continue;
+    if (dead_end_[q]) time_[q] = 1;
+    if (dead_end_[q] || height_[q] >= high) continue;
     const double size = distance(nodes_[p].at, nodes_[q].at), far = size + height_[q];
     time_[q] = far > 0 ? time_[p] + (1 - time_[p]) * size / far : 1;
   }
@@ -222,6 +276,31 @@ void WaveTree::walk_round_spine(F f) const {
   }
 }
 
+/// Of nodes without spokes, between those that have some: the first lap is straight there.
+void WaveTree::interpolate_clearances() {
+  const auto between = [&](std::size_t k) { return links(k).size() == 2; };
+  std::vector<std::size_t> chain;
+  for (std::size_t end = 0; end < nodes_.size(); ++end) {
+    if (between(end)) continue;
+    for (std::size_t at : links(end)) {
+      chain.assign(1, end);
+      while (between(at)) {
+        const std::size_t next = links(at)[links(at)[0] == chain.back() ? 1 : 0];
+        chain.push_back(at);
+        at = next;
+      }
+      if (at < end) continue;  // from its other end
+      double whole = distance(nodes_[chain.back()].at, nodes_[at].at), along = 0;
+      for (std::size_t k = 1; k < chain.size(); ++k) whole += distance(nodes_[chain[k - 1]].at, nodes_[chain[k]].at);
+      for (std::size_t k = 1; k < chain.size(); ++k) {
+        along += distance(nodes_[chain[k - 1]].at, nodes_[chain[k]].at);
+        nodes_[chain[k]].clearance =
+            std::lerp(nodes_[end].clearance, nodes_[at].clearance, whole > 0 ? along / whole : 0.0);
+      }
+    }
+  }
+}
+
 std::vector<WidePart> WaveTree::wide_parts(double start_height) const {
   const std::vector<Index> start = starts();
   std::vector<bool> inside(nodes_.size());  // of the first lap
@@ -254,8 +333,10 @@ std::vector<WidePart> WaveTree::wide_parts(double start_height) const {
     part.nodes.push_back({nodes_[b].at, 0});
   });
   std::vector<WidePart> result;
-  for (Part& part : parts)
+  for (Part& part : parts) {
     result.push_back({WaveTree(std::move(part.nodes), part.links, std::move(part.leaves)), std::move(part.leaf)});
+    result.back().tree.interpolate_clearances();
+  }
   return result;
 }
 

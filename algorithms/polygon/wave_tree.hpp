@@ -53,6 +53,11 @@ class WaveTree {
   /// The node nearest to a point becomes the root.
   void root_near(const Point& p);
 
+  /// Laps end before narrow dead ends: where the clearance is at most `reach` (metres), the tool covers them from the
+  /// last lap, the boundary. The wave waits where they begin for as long as it takes for `reach`; then it is on the
+  /// boundary at once.
+  void stop_before(double reach);
+
   /// Metres from the root to the farthest leaf.
   double height() const { return height_[root_]; }
   double greatest_clearance() const;
@@ -108,6 +113,8 @@ class WaveTree {
   void orient();
   std::vector<double> distances(std::size_t from, double latest) const;
   void cut_at(double height);
+  void split_dead_ends(double reach);
+  void interpolate_clearances();
   void set_times(double start_height);
   std::size_t spine_end(std::size_t from) const;
   Polyline walk_spine(std::size_t from, std::size_t to) const;
@@ -117,6 +124,7 @@ class WaveTree {
   void path_to(std::size_t leaf, std::vector<Crossing>& path) const;
   /// The same if the wave starts at a height, which may be another one than that of start_at().
   void path_from(double start_height, std::size_t leaf, std::vector<Crossing>& path) const;
+  static void add_dead_end(const std::vector<Crossing>& path, Polyline& line);
   void add_spiral(WaveSpiral& spiral, std::size_t first, double laps) const;
   void add_closed_laps(WaveSpiral& spiral, std::size_t first, double laps) const;
   /// At a time not before the last one, whose crossing is `passed` (0 at first).
@@ -139,6 +147,8 @@ class WaveTree {
   std::vector<Index> links_, first_link_;  // by node, one after the other; where those of each begin, and the end
   std::vector<std::size_t> leaves_;
   std::size_t root_ = 0;
+  std::vector<bool> dead_end_;  // by node: those in dead ends, with their leaves
+  double reach_ = 0;            // from where dead ends begin to the boundary
   // Of the rooted tree: nodes, parents first; and by node.
   std::vector<Index> order_, parent_;
   std::vector<double> height_, time_;

@@ -38,6 +38,13 @@ Region random_region(std::uint64_t seed) {
   return bridged(straightened_space(p), 1e-4);
 }
 
+Polyline whole_curve(const WaveSpiral& s) {
+  Polyline curve = s.spine;
+  curve.insert(curve.end(), s.laps.begin(), s.laps.end());
+  curve.insert(curve.end(), s.boundary.begin(), s.boundary.end());
+  return curve;
+}
+
 double area_of(const Polyline& closed) { return std::abs(signed_area({closed.begin(), closed.end() - 1})); }
 
 TEST(WideParts, AreTheRoomsOfADumbbell) {
@@ -106,11 +113,8 @@ TEST(NestedSpirals, PassEveryPointWithinHalfAStep) {
     std::vector<Polyline> curves;
     std::vector<WaveTree> trees = trees_of(region);
     for (WaveTree& tree : trees) {
-      WaveSpiral s = nested_spirals(tree, {step / 0.95, step}, {rng.between(0.0, 9.0), rng.between(0.0, 9.0)});
-      Polyline curve = std::move(s.spine);
-      curve.insert(curve.end(), s.laps.begin(), s.laps.end());
-      curve.insert(curve.end(), s.boundary.begin(), s.boundary.end());
-      curves.push_back(std::move(curve));
+      const Point near(rng.between(0.0, 9.0), rng.between(0.0, 9.0));
+      curves.push_back(whole_curve(nested_spirals(tree, {step / 0.95, step}, near)));
     }
     std::vector<std::pair<Point, Point>> segments;
     for (const Polyline& curve : curves)
@@ -134,12 +138,11 @@ TEST(NestedSpirals, StayInside) {
     const EdgeIndex edges(region);
     for (WaveTree& tree : trees_of(region)) {
       SCOPED_TRACE(seed);
-      const WaveSpiral s = nested_spirals(tree, {0.4, 0.38}, {0, 0});
-      for (const Polyline* line : {&s.spine, &s.laps})
-        for (std::size_t k = 1; k < line->size(); ++k) {
-          const Point middle = ((*line)[k - 1] + (*line)[k]) / 2;
-          EXPECT_TRUE(edges.contains(middle) || edges.nearest(middle)->distance < 1e-3) << to_text(middle);
-        }
+      const Polyline curve = whole_curve(nested_spirals(tree, {0.4, 0.38}, {0, 0}));
+      for (std::size_t k = 1; k < curve.size(); ++k) {
+        const Point middle = (curve[k - 1] + curve[k]) / 2;
+        EXPECT_TRUE(edges.contains(middle) || edges.nearest(middle)->distance < 1e-3) << to_text(middle);
+      }
     }
   }
 }
@@ -162,6 +165,20 @@ TEST(NestedSpirals, NarrowPartsHaveFewLaps) {
   EXPECT_LT(metres(nested), 0.8 * metres(one));
   EXPECT_LE(in_corridor(nested), 10.5);  // 1 m wide: 6 lanes 0.19 m apart, and the link to the other room
   EXPECT_GT(in_corridor(one), 20);
+}
+
+// By hand: a needle 20 m long, at its end narrower than the tool over 4 m, which the boundary's lap covers.
+TEST(NestedSpirals, DoNotGoIntoNarrowDeadEnds) {
+  const Region needle{{{{{0, 0}, {20, 1}, {0, 2}}, {}}}};
+  WaveTree tree = trees_of(needle).at(0);
+  const WaveSpiral s = nested_spirals(tree, {0.421, 0.4}, {0, 0});
+  double farthest = 0;
+  for (const Polyline* line : {&s.spine, &s.laps})
+    for (const Point& p : *line)
+      if (p != s.boundary.front()) farthest = std::max(farthest, p.x());
+  const double end = 20 - 0.2 / std::sin(std::atan(1.0 / 20));  // clearance 0.2
+  EXPECT_LT(farthest, end + 1e-6);
+  EXPECT_GT(farthest, end - 0.5);
 }
 
 // The default, against one spiral, over all kinds of maps: never much longer, and shorter by a quarter altogether.
