@@ -77,7 +77,7 @@ TEST(WideParts, AreAllThatTheFirstLapEncloses) {
           ASSERT_EQ(boundary.size(), part.leaf.size() + 1);
           inside += area_of(boundary);
           for (std::size_t k = 0; k < part.leaf.size(); ++k)
-            if (part.leaf[k] != WidePart::kGate) EXPECT_EQ(boundary[k], lap[part.leaf[k]]);
+            if (part.leaf[k] != WidePart::kGate) { EXPECT_EQ(boundary[k], lap[part.leaf[k]]); }
           ++parts;
         }
         EXPECT_NEAR(inside, std::abs(signed_area({lap.begin(), lap.end()})), 1e-7);
