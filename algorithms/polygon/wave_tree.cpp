@@ -278,7 +278,8 @@ void WaveTree::walk_round_spine(F f) const {
 
 /// Of nodes without spokes, between those that have some: the first lap is straight there.
 void WaveTree::interpolate_clearances() {
-  const auto between = [&](std::size_t k) { return links(k).size() == 2; };
+  const auto leaf = [&](std::size_t k) { return links(k).size() == 1; };
+  const auto between = [&](std::size_t k) { return links(k).size() == 2 && !(leaf(links(k)[0]) && leaf(links(k)[1])); };
   std::vector<std::size_t> chain;
   for (std::size_t end = 0; end < nodes_.size(); ++end) {
     if (between(end)) continue;
