@@ -14,7 +14,6 @@ constexpr double kLowestSpine = 1;     // greatest clearances; below, the spine 
 constexpr double kMostClosed = 5;      // laps: with more, one fewer matters little
 constexpr double kMostOverlap = 0.9;   // of a spiral
 constexpr double kClearlyLess = 0.97;  // of the length; a lower spine has more branches, driven there and back
-constexpr double kFewerLaps = 0.75;    // of those of the last nested spiral looked at
 constexpr double kInside = 1.4;        // length in a wide part, over its area by a step
 constexpr double kReached = 0.5;       // steps that the tool reaches beyond a lap
 
@@ -60,12 +59,13 @@ void add_spirals(WaveTree& tree, const LapWidths& widths, const Point& near, Sho
 }
 
 void add_nested(const WaveTree& tree, const LapWidths& widths, Shortest& shortest) {
-  double laps = std::ceil(tree.greatest_clearance() / widths.step) - 1;
-  for (; laps >= 1; laps = std::min(laps - 1, std::floor(kFewerLaps * laps))) {
-    auto [of, inside] = tree.nested_measures(static_cast<std::size_t>(laps), laps * widths.step);
-    const bool closed = laps <= kMostClosed;
+  const double most = std::ceil(tree.greatest_clearance() / widths.step) - 1;
+  for (auto laps = static_cast<std::size_t>(std::max(0.0, most)); laps > 0; laps = laps * 3 / 4) {
+    const double height = static_cast<double>(laps) * widths.step;
+    auto [of, inside] = tree.nested_measures(laps, height);
+    const bool closed = static_cast<double>(laps) <= kMostClosed;
     if (!closed) of.laps += (of.spine + of.boundary) / 2;  // one more
-    shortest.add(of.spine + of.laps + kInside * inside / widths.step, {laps * widths.step, closed, true});
+    shortest.add(of.spine + of.laps + kInside * inside / widths.step, {height, closed, true});
   }
 }
 

@@ -169,8 +169,8 @@ void WaveTree::add_closed_laps(WaveSpiral& spiral, std::size_t first, double lap
       if (c.time > last && c.time < time) spiral.laps.push_back(c.at);
     last = time;
   };
-  for (double ring = rings; ring > 0; --ring) {
-    const double time = 1 - ring / laps;
+  for (auto ring = static_cast<std::size_t>(rings); ring > 0; --ring) {
+    const double time = 1 - static_cast<double>(ring) / laps;
     link_to(time);
     for (std::size_t j = 0; j <= n; ++j) {
       path_to(leaves_[(first + j) % n], path);
