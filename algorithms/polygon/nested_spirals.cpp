@@ -8,7 +8,6 @@
 namespace oxturn {
 namespace {
 
-constexpr double kSpineHeight = 1.5;   // greatest clearances
 constexpr double kLongShape = 3;       // greatest clearances
 constexpr double kLowestSpine = 1;     // greatest clearances; below, the spine would have branches of spokes
 constexpr double kMostClosed = 5;      // laps: with more, one fewer matters little
@@ -69,7 +68,11 @@ void add_nested(const WaveTree& tree, const LapWidths& widths, Shortest& shortes
   }
 }
 
+/// Also roots the tree at its centre.
 Choice choice_for(WaveTree& tree, const LapWidths& widths, const Point& near) {
+  const double reach = kReached * widths.step;
+  if (tree.greatest_clearance() > reach) tree.stop_before(reach);
+  tree.root_at_centre();
   Shortest shortest;
   add_spirals(tree, widths, near, shortest);
   add_nested(tree, widths, shortest);
@@ -81,8 +84,6 @@ WaveSpiral nested(WaveTree& tree, const Choice& choice, const LapWidths& widths,
 /// Inside a wide part, from a leaf and back to it; empty where the tool reaches all of it from outside.
 Polyline inside(WaveTree& tree, const LapWidths& widths, std::size_t leaf, const Point& near) {
   if (tree.greatest_clearance() <= kReached * widths.step) return {};
-  tree.stop_before(kReached * widths.step);
-  tree.root_at_centre();
   const Choice choice = choice_for(tree, widths, near);
   WaveSpiral spiral;
   if (choice.nested) {
@@ -103,22 +104,21 @@ Polyline filled_lap(const WaveTree& tree, double height, const LapWidths& widths
   const Polyline lap = tree.first_lap();
   std::vector<WidePart> wide = tree.wide_parts(height);
   struct Entry {
-    WidePart* part = nullptr;
-    std::size_t leaf = 0;
+    std::size_t part, leaf;
   };
-  std::vector<Entry> entries(lap.size());
-  for (WidePart& part : wide)
-    for (std::size_t k = 0; k < part.leaf.size(); ++k)
-      if (part.leaf[k] != WidePart::kGate) entries[part.leaf[k]] = {&part, k};
+  std::vector<Entry> entries(lap.size(), {wide.size(), 0});
+  for (std::size_t part = 0; part < wide.size(); ++part)
+    for (std::size_t k = 0; k < wide[part].leaf.size(); ++k)
+      if (const std::size_t leaf = wide[part].leaf[k]; leaf != WidePart::kGate) entries[leaf] = {part, k};
   std::vector<bool> done(wide.size(), false);
   Polyline filled;
   for (std::size_t j = 0; j <= lap.size(); ++j) {
     const std::size_t leaf = (first + j) % lap.size();
-    const auto& [part, entry] = entries[leaf];
+    const auto [part, entry] = entries[leaf];
     if (filled.empty() || filled.back() != lap[leaf]) filled.push_back(lap[leaf]);
-    if (part == nullptr || done[static_cast<std::size_t>(part - wide.data())]) continue;
-    done[static_cast<std::size_t>(part - wide.data())] = true;
-    const Polyline curve = inside(part->tree, widths, entry, lap[leaf]);
+    if (part == wide.size() || done[part]) continue;
+    done[part] = true;
+    const Polyline curve = inside(wide[part].tree, widths, entry, lap[leaf]);
     filled.insert(filled.end(), curve.begin(), curve.end());
     if (filled.back() != lap[leaf]) filled.push_back(lap[leaf]);
   }
@@ -147,8 +147,6 @@ WaveSpiral spiral_from_spine(WaveTree& tree, const LapWidths& widths, const Poin
 }
 
 WaveSpiral nested_spirals(WaveTree& tree, const LapWidths& widths, const Point& near) {
-  if (tree.greatest_clearance() > kReached * widths.step) tree.stop_before(kReached * widths.step);
-  tree.root_at_centre();
   const Choice choice = choice_for(tree, widths, near);
   return choice.nested ? nested(tree, choice, widths, tree.leaf_nearest(near)) : spiral_of(tree, choice, widths, near);
 }

@@ -34,12 +34,15 @@
 
 namespace oxturn {
 
+/// A spine has what is higher above the boundary than this many times the greatest clearance, at the least.
+inline constexpr double kSpineHeight = 1.5;
+
 struct LapWidths {
   double width;  // of the tool, metres
   double step;   // at most, from lap to lap
 };
 
-/// The spine has all that comes before the laps. The boundary is left to the caller.
+/// The spine has all that comes before the laps. The boundary is left to the caller. Roots the tree at its centre.
 WaveSpiral nested_spirals(WaveTree& tree, const LapWidths& widths, const Point& near);
 /// The same without spirals in wide parts: as many laps all round.
 WaveSpiral spiral_from_spine(WaveTree& tree, const LapWidths& widths, const Point& near);

@@ -31,7 +31,6 @@
 //                several within 0.0125 w, but for those of the last lap, which is the boundary.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -57,7 +56,6 @@ constexpr double kChordError = 0.001;  // of small arcs
 constexpr double kCoarser = 0.02;      // tool or robot widths by which arcs may be off, for all laps but the last
 constexpr double kBridge = 1e-3;       // width of the cuts along bridges
 constexpr double kLeastCut = 1e-6;     // the same at least, of the map's extent
-constexpr double kSpineHeight = 1.5;   // greatest clearances
 
 constexpr std::size_t kManyVertices = 8192;  // of the boundary, from which on all laps but the last are coarser
 
@@ -111,7 +109,8 @@ class Rings {
 Polyline spiral_of(WaveTree tree, const Rings& rings, const Params& p, const Problem& problem,
                    const Connector& connector) {
   const double w = problem.robot().tool_width;
-  p.start == Start::start ? tree.root_near(problem.start()) : tree.root_at_centre();
+  if (p.start == Start::start) tree.root_near(problem.start());
+  if (p.start == Start::spine || p.start == Start::centre) tree.root_at_centre();
   const LapWidths widths{w, kStep * w};
   WaveSpiral spiral =
       p.start == Start::nested ? nested_spirals(tree, widths, problem.start())

@@ -14,6 +14,21 @@ constexpr double kLonger = 1 + 1e-6;    // times the clearance's change: no spok
 constexpr double kNarrower = 1 - 1e-9;  // times the reach
 constexpr double kLeastBranch = 1e-6;   // heights of the tree: shorter ones are rounding
 
+/// What a tree is made of.
+struct Part {
+  std::vector<WaveTree::Node> nodes = {};
+  std::vector<std::pair<std::size_t, std::size_t>> links = {};
+  std::vector<std::size_t> leaves = {};
+
+  void add_leaf(const Point& at, std::size_t node) {
+    links.push_back({node, nodes.size()});
+    leaves.push_back(nodes.size());
+    nodes.push_back({at, 0});
+  }
+};
+
+WaveTree tree_of(Part part) { return {std::move(part.nodes), part.links, std::move(part.leaves)}; }
+
 }  // namespace
 
 WaveTree::WaveTree(std::vector<Node> nodes, const std::vector<std::pair<std::size_t, std::size_t>>& links,
@@ -252,12 +267,12 @@ std::vector<WaveTree::Index> WaveTree::starts() const {
   return start;
 }
 
-/// Calls f(a, b) for each link of the spine, once in each direction: round about it, in the order of the leaves.
+/// Calls f(a, b, leaf) for each link of the spine, once in each direction, in the order of the leaves: to the
+/// start of that leaf. `start`: those of all nodes.
 template <class F>
-void WaveTree::walk_round_spine(F f) const {
+void WaveTree::walk_round_spine(const std::vector<Index>& start, F f) const {
   std::vector<Index> rank(nodes_.size());
   for (std::size_t k = 0; k < order_.size(); ++k) rank[order_[k]] = static_cast<Index>(k);
-  const std::vector<Index> start = starts();
   std::vector<Index> down;
   const std::size_t n = leaves_.size();
   for (std::size_t j = 0; j < n; ++j) {
@@ -307,35 +322,29 @@ std::vector<WidePart> WaveTree::wide_parts(double start_height) const {
   std::vector<bool> inside(nodes_.size());  // of the first lap
   for (const Index k : order_) inside[k] = time_[k] == 0;
   for (const std::size_t leaf : leaves_) inside[start[leaf]] = false;
-  struct Part {
-    std::vector<Node> nodes = {};
-    std::vector<std::pair<std::size_t, std::size_t>> links = {};
-    std::vector<std::size_t> leaves = {}, leaf = {};
-  };
   std::vector<Part> parts;
+  std::vector<std::vector<std::size_t>> leaf_of;  // by part, and leaf of the part
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> part_of(nodes_.size(), kNone), index(nodes_.size());
   for (const Index k : order_) {
     if (!inside[k]) continue;
     const std::size_t above = k == root_ ? kNone : part_of[parent_[k]];
     part_of[k] = above == kNone ? parts.size() : above;
-    if (above == kNone) parts.emplace_back();
+    if (above == kNone) parts.emplace_back(), leaf_of.emplace_back();
     Part& part = parts[part_of[k]];
     index[k] = part.nodes.size();
     if (above != kNone) part.links.push_back({index[parent_[k]], index[k]});
     part.nodes.push_back({nodes_[k].at, std::max(0.0, nodes_[k].clearance - start_height)});
   }
-  walk_round_spine([&](Index a, Index b, std::size_t leaf) {
+  walk_round_spine(start, [&](Index a, Index b, std::size_t leaf) {
     if (part_of[a] == kNone || part_of[b] != kNone) return;
     Part& part = parts[part_of[a]];
-    part.links.push_back({index[a], part.nodes.size()});
-    part.leaves.push_back(part.nodes.size());
-    part.leaf.push_back(start[leaves_[leaf]] == b ? leaf : WidePart::kGate);
-    part.nodes.push_back({nodes_[b].at, 0});
+    part.add_leaf(nodes_[b].at, index[a]);
+    leaf_of[part_of[a]].push_back(start[leaves_[leaf]] == b ? leaf : WidePart::kGate);
   });
   std::vector<WidePart> result;
-  for (Part& part : parts) {
-    result.push_back({WaveTree(std::move(part.nodes), part.links, std::move(part.leaves)), std::move(part.leaf)});
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    result.push_back({tree_of(std::move(parts[k])), std::move(leaf_of[k])});
     result.back().tree.interpolate_clearances();
   }
   return result;
@@ -347,11 +356,6 @@ std::vector<WaveTree> wave_trees(const MedialAxis& axis) {
   std::vector<MedialAxis::Edge> tree;
   for (const MedialAxis::Edge& e : axis.edges)
     if (sets.unite(e.a, e.b)) tree.push_back(e);
-  struct Part {
-    std::vector<WaveTree::Node> nodes = {};
-    std::vector<std::pair<std::size_t, std::size_t>> links = {};
-    std::vector<std::size_t> leaves = {};
-  };
   std::vector<Part> parts;
   std::vector<std::size_t> part_of(n, n), index(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -362,15 +366,10 @@ std::vector<WaveTree> wave_trees(const MedialAxis& axis) {
   }
   const auto part = [&](std::size_t node) -> Part& { return parts[part_of[sets.find(node)]]; };
   for (const MedialAxis::Edge& e : tree) part(e.a).links.push_back({index[e.a], index[e.b]});
-  for (const MedialAxis::Spoke& s : axis.spokes) {
-    Part& p = part(s.node);
-    p.links.push_back({index[s.node], p.nodes.size()});
-    p.leaves.push_back(p.nodes.size());
-    p.nodes.push_back({s.foot, 0});
-  }
+  for (const MedialAxis::Spoke& s : axis.spokes) { part(s.node).add_leaf(s.foot, index[s.node]); }
   std::vector<WaveTree> trees;
   for (Part& p : parts)
-    if (!p.leaves.empty()) trees.emplace_back(std::move(p.nodes), p.links, std::move(p.leaves));
+    if (!p.leaves.empty()) trees.push_back(tree_of(std::move(p)));
   return trees;
 }
 

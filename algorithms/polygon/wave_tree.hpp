@@ -120,7 +120,7 @@ class WaveTree {
   Polyline walk_spine(std::size_t from, std::size_t to) const;
   std::vector<Index> starts() const;
   template <class F>
-  void walk_round_spine(F f) const;
+  void walk_round_spine(const std::vector<Index>& start, F f) const;
   void path_to(std::size_t leaf, std::vector<Crossing>& path) const;
   /// The same if the wave starts at a height, which may be another one than that of start_at().
   void path_from(double start_height, std::size_t leaf, std::vector<Crossing>& path) const;
