@@ -94,11 +94,4 @@ inline double squared_distance(Vec p, const Capsule& k) {
   return off * off / len2;
 }
 
-/// The point of the segment nearest to p.
-inline Vec nearest_point(Vec p, const Capsule& k) {
-  const Vec d = k.b - k.a;
-  const double len2 = dot(d, d), t = dot(p - k.a, d);
-  return t <= 0 || len2 <= 0 ? k.a : t >= len2 ? k.b : k.a + (t / len2) * d;
-}
-
 }  // namespace oxturn

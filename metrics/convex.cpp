@@ -114,31 +114,43 @@ Extent extent_of(std::span<const Convex> pieces) {
   return {0.5 * (low + high), 0.5 * (high - low)};
 }
 
-Convex clipped(const Convex& c, const HalfPlane& h) {
-  Convex inside;
-  switch (split(c, h, inside, nullptr)) {
+const Convex* clip(const Convex& c, const HalfPlane& h, Convex& cut) {
+  switch (split(c, h, cut, nullptr)) {
     case Side::inside:
-      return c;
+      return &c;
     case Side::outside:
-      return {};
+      return nullptr;
     case Side::both:
       break;
   }
-  if (inside.size < 3) inside.size = 0;
-  return inside;
+  return cut.size < 3 ? nullptr : &cut;
 }
 
-bool disjoint(const Convex& c, const std::vector<HalfPlane>& cut) {
-  for (const HalfPlane& h : cut) {
-    bool all = true;
-    for (std::size_t i = 0; all && i < c.size; ++i) all = beyond(h, c.at[i]) >= -kSlack;
-    if (all) return true;
+void divide(const Convex& c, const HalfPlane& h, std::vector<Convex>& out) {
+  Convex inside, outside;
+  if (split(c, h, inside, &outside) != Side::both) {
+    out.push_back(c);
+    return;
   }
-  return false;
+  for (const Convex* part : {&inside, &outside})
+    if (part->size >= 3) out.push_back(*part);
 }
 
-void subtract(const Convex& c, const std::vector<HalfPlane>& cut, std::vector<Convex>& out) {
-  subtract_from(c, cut, 0, out);
+bool subtract(const Convex& c, const std::vector<HalfPlane>& cut, std::vector<Convex>& out,
+              std::vector<HalfPlane>& crossing) {
+  crossing.clear();
+  for (const HalfPlane& h : cut) {
+    double least = beyond(h, c.at[0]), most = least;
+    for (std::size_t i = 1; i < c.size; ++i) {
+      const double off = beyond(h, c.at[i]);
+      least = std::min(least, off);
+      most = std::max(most, off);
+    }
+    if (least >= -kSlack) return false;
+    if (most > kSlack) crossing.push_back(h);
+  }
+  subtract_from(c, crossing, 0, out);
+  return true;
 }
 
 }  // namespace oxturn

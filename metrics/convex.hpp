@@ -1,7 +1,7 @@
 /// Small convex polygons, clipped and subtracted. Private to metrics/.
 ///
 ///   std::vector<Convex> uncovered;
-///   subtract(tile, half_planes, uncovered);              // tile without the half-planes' intersection
+///   subtract(tile, half_planes, uncovered, memory);      // tile without the half-planes' intersection
 ///
 /// Coordinates are relative to a tile's centre, in tile sides, so all are about 1. A point counts as inside a
 /// half-plane up to kSlack beyond it. Users shrink what they subtract by far more than that, so slack and rounding
@@ -69,12 +69,14 @@ Vec middle_of(const Convex& c);
 double area(const Convex& c);
 /// Two convex halves; `c` has at least 4 vertices.
 std::pair<Convex, Convex> halves(const Convex& c);
-/// The part inside `h`.
-Convex clipped(const Convex& c, const HalfPlane& h);
-/// Does one of the half-planes meet `c` in its boundary at most?
-bool disjoint(const Convex& c, const std::vector<HalfPlane>& cut);
-/// Appends `c` without the intersection of `cut`: convex pieces with disjoint interiors.
-void subtract(const Convex& c, const std::vector<HalfPlane>& cut, std::vector<Convex>& out);
+/// The part inside `h`: `c` itself, or `cut`, another polygon, which it overwrites; nullptr if nothing is left.
+const Convex* clip(const Convex& c, const HalfPlane& h, Convex& cut);
+/// Appends the parts on both sides of the line that bounds `h`.
+void divide(const Convex& c, const HalfPlane& h, std::vector<Convex>& out);
+/// Appends `c` without the intersection of `cut`: convex pieces with disjoint interiors. False, and nothing is
+/// appended, if one of the half-planes meets `c` in its boundary at most. `crossing` is working memory.
+bool subtract(const Convex& c, const std::vector<HalfPlane>& cut, std::vector<Convex>& out,
+              std::vector<HalfPlane>& crossing);
 double area(const std::vector<Convex>& pieces);
 
 }  // namespace oxturn

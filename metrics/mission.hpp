@@ -13,15 +13,13 @@
 ///             turns to the new heading if that is another one.
 /// Guarantee   Continuous in the path: cutting a corner into many small ones or moving a vertex by a millimetre changes
 ///             the time by as little, and points on a straight line change nothing.
-/// Method      The curve is sampled near bends only, more finely where it turns more. Speed limits at the samples, then
-///             a forward and a backward pass with the acceleration. Accurate to 1e-3. O(n)
+/// Method      The curve is sampled near bends only, more finely where it turns more. From the speed limits at the
+///             samples drive_times.hpp makes times. Accurate to 1e-3. O(n)
 #pragma once
-
-#include <deque>
-#include <vector>
 
 #include "geometry/path.hpp"
 #include "maps/problem.hpp"
+#include "metrics/drive_times.hpp"
 
 namespace oxturn {
 
@@ -29,26 +27,13 @@ class MissionClock {
  public:
   MissionClock(const Problem& problem, const Path& path);
   /// Seconds until the end.
-  double total() const { return total_; }
+  double total() const { return times_.total(); }
   /// Seconds until `path_m` metres of the path are driven. Monotone. O(log n).
-  double at(double path_m) const;
+  double at(double path_m) const { return times_.at(path_m); }
 
  private:
-  /// From one sample to the next.
-  struct Interval {
-    double path_m;   // of the path until its begin
-    double length;   // of the curve, metres
-    double turn;     // absolute change of heading, radians
-    double speed;    // at its begin
-    double top;      // the greatest in between
-    double begin_s;  // time at its begin
-  };
   class Sampler;
-  void find_speeds(const std::vector<std::size_t>& stops);
-
-  double acceleration_;
-  std::deque<Interval> intervals_;  // never copied as it grows; the last one is empty: the path's end
-  double total_ = 0;
+  DriveTimes times_;
 };
 
 }  // namespace oxturn

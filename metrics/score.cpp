@@ -85,7 +85,8 @@ namespace {
 
 constexpr std::size_t kCurvePoints = 200;
 constexpr double kCurveError = 0.0045;
-constexpr double kCertainty = 0.001;  // width of the coverage's interval
+constexpr double kCertainty = 0.001;   // width of the coverage's interval
+constexpr double kNoTolerance = 1e-4;  // tool widths: of a path that hardly leaves configuration space
 
 /// Has points, all finite, and a finite length.
 bool measurable(const Path& path) {
@@ -145,6 +146,14 @@ std::optional<double> kept_promise(const Problem& problem, const Path& path, con
   return std::nullopt;
 }
 
+/// A valid path of a disc that is no narrower than its tool cannot sweep anything but target.
+Swath swath_of(const Problem& problem, bool valid, double tolerance) {
+  const Robot& robot = problem.robot();
+  const bool narrow = robot.footprint.empty() && robot.tool_width / 2 <= robot.radius;
+  const bool whole = !problem.map().target_area && !problem.limited();
+  return valid && narrow && whole && tolerance <= kNoTolerance * robot.tool_width ? Swath::in_target : Swath::anywhere;
+}
+
 }  // namespace
 
 Score score(const Problem& problem, const Path& path, const Metrics& metrics, const ScoreOptions& options) {
@@ -160,7 +169,7 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
     if (result.flaw.empty() && options.tether_counts) result.flaw = find_tether_flaw(problem, tether, tolerance);
   }
   SweptArea swept = swept_area(problem.target(), problem.target_excess(), problem.robot().tool_width, path, kCertainty,
-                               options.outlines);
+                               options.outlines, swath_of(problem, result.flaw.empty(), tolerance));
   const MissionClock clock(problem, path);
   const Scored scored{
       problem,

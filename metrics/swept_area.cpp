@@ -91,7 +91,8 @@ Scan scanned(const Ground& g, double path_m, TileDetails* details) {
   double budget = g.tile_share * g.arcs, slack = kToolRadius * g.arcs * kSlackShare;
   for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
     scan.set = capsules(g.chains, g.room, slack);
-    if (details != nullptr) *details = {{path_m, g.wanted}, UncoveredPieces(details->pieces.outlines())};
+    if (details != nullptr)
+      *details = {{path_m, g.wanted}, UncoveredPieces(details->pieces.outlines()), details->swath};
     scan.sums = TileScan(g.target, g.origin, g.side, scan.set, g.margin, details).run(budget);
     if (scan.sums.missed_most - scan.sums.missed_least <= 0.9 * g.arcs * g.wanted) break;
   }
@@ -120,16 +121,18 @@ Interval coverage_of(const Region& target, double target_excess, double width, c
 }
 
 SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path, double certainty,
-                     MissedOutlines outlines) {
+                     MissedOutlines outlines, Swath swath) {
   const Ground g = ground_of(target, target_excess, width, path, certainty);
   check_size(g);
-  TileDetails details{{path.length(), g.wanted}, UncoveredPieces(outlines)};
+  TileDetails details{{path.length(), g.wanted}, UncoveredPieces(outlines), swath};
   const Scan scan = scanned(g, path.length(), &details);
   SweptArea s;
   s.coverage = coverage_in(g, scan.sums);
   s.covered_m2 = least_covered(scan.sums) * g.tile_m2;
-  s.covered_estimate_m2 = std::max(least_covered(scan.sums), scan.sums.target - scan.sums.missed) * g.tile_m2;
   s.union_m2 = details.swept * g.tile_m2;
+  s.covered_estimate_m2 = swath == Swath::in_target
+                              ? s.union_m2
+                              : std::max(least_covered(scan.sums), scan.sums.target - scan.sums.missed) * g.tile_m2;
   s.work_m2 = work_in(g.chains, g.room) * g.tile_m2;
   s.visits_m2 = std::max(0.0, scan.set.begun - details.visits_outside) * g.tile_m2;
   s.curve = details.curve.points(s.coverage.middle());

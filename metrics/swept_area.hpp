@@ -48,6 +48,11 @@ struct MissedPiece {
 /// They take most of the memory of a path that misses much, and only pictures show them.
 enum class MissedOutlines { kept, left_out };
 
+/// Where a path sweeps. `in_target`: nowhere outside the true target, such as a valid path of a tool no wider than the
+/// robot. Then the slivers that `target` lacks of the true target count as target in the estimates, and tiles without
+/// target are left out, which saves a quarter of the time.
+enum class Swath { anywhere, in_target };
+
 struct SweptArea {
   Interval coverage;                 // share of the target, certified
   double covered_m2 = 0;             // covered part of the target, certified lower bound
@@ -64,7 +69,8 @@ struct SweptArea {
 /// it wider. Throws std::invalid_argument if the width is not above 0, the target is empty, the path is not finite, or
 /// there is too much to scan: a target more than 2 * 10^7 tiles high, or more than 10^9 tile sides of work.
 SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path,
-                     double certainty = 0.001, MissedOutlines outlines = MissedOutlines::kept);
+                     double certainty = 0.001, MissedOutlines outlines = MissedOutlines::kept,
+                     Swath swath = Swath::anywhere);
 
 /// Its `coverage` alone: half of the time, and no memory for what is missed.
 Interval coverage_of(const Region& target, double target_excess, double width, const Path& path,

@@ -19,7 +19,6 @@ namespace {
 
 /// Divides each piece along the line that bounds `h`, if the piece reaches across it and meets from <= x <= to.
 void divide(std::vector<Convex>& pieces, const HalfPlane& h, double from, double to, std::vector<Convex>& spare) {
-  const HalfPlane other{{-h.normal.x, -h.normal.y}, -h.reach};
   spare.clear();
   for (const Convex& c : pieces) {
     const Extent box = extent_of({&c, 1});
@@ -29,13 +28,11 @@ void divide(std::vector<Convex>& pieces, const HalfPlane& h, double from, double
     }
     if (c.size > Convex::kWide) {
       const auto [one, two] = halves(c);
-      for (const Convex& half : {one, two})
-        for (const HalfPlane& side : {h, other})
-          if (const Convex part = clipped(half, side); part.size >= 3) spare.push_back(part);
+      oxturn::divide(one, h, spare);
+      oxturn::divide(two, h, spare);
       continue;
     }
-    for (const HalfPlane& side : {h, other})
-      if (const Convex part = clipped(c, side); part.size >= 3) spare.push_back(part);
+    oxturn::divide(c, h, spare);
   }
   pieces.swap(spare);
 }
@@ -65,16 +62,18 @@ double TileTarget::area_in(const Convex& c) const {
   }
   const double whole = area(c);
   double sum = winding_ * whole;
+  Convex one, two;
   for (const Step& s : crossings_) {
     if (s.x >= right) continue;
-    sum += s.sign * (s.x <= left ? whole : area(clipped(c, {{-1, 0}, -s.x})));
+    const Convex* part = s.x <= left ? &c : clip(c, {{-1, 0}, -s.x}, one);
+    if (part != nullptr) sum += s.sign * area(*part);
   }
   for (const Edge& e : edges_) {
     if (e.from >= right || e.to <= left) continue;
-    Convex part = clipped(c, e.above);
-    if (e.from > left) part = clipped(part, {{-1, 0}, -e.from});
-    if (e.to < right) part = clipped(part, {{1, 0}, e.to});
-    sum += e.sign * area(part);
+    const Convex* part = clip(c, e.above, one);
+    if (part != nullptr && e.from > left) part = clip(*part, {{-1, 0}, -e.from}, two);
+    if (part != nullptr && e.to < right) part = clip(*part, {{1, 0}, e.to}, part == &one ? two : one);
+    if (part != nullptr) sum += e.sign * area(*part);
   }
   return std::clamp(sum, 0.0, whole);
 }

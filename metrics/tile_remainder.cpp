@@ -108,25 +108,13 @@ bool TileRemainder::subtract(const Capsule& k, Bound bound, const Extent& where)
   parts_.clear();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    if (!apart(pieces_[i], k) && !disjoint(pieces_[i], cut_)) {
-      oxturn::subtract(pieces_[i], cut_, parts_);
-      continue;
-    }
+    if (oxturn::subtract(pieces_[i], cut_, parts_, crossing_)) continue;
     if (kept != i) pieces_[kept] = pieces_[i];
     ++kept;
   }
   if (kept == pieces_.size()) return false;
   pieces_.resize(kept);
   pieces_.insert(pieces_.end(), parts_.begin(), parts_.end());
-  return true;
-}
-
-/// Does the line that is perpendicular to the connection of the piece's middle and the capsule separate the two?
-bool TileRemainder::apart(const Convex& piece, const Capsule& k) const {
-  const Vec middle = centre_ + middle_of(piece), nearest = nearest_point(middle, k), away = middle - nearest;
-  const double far = outer(k) * std::sqrt(dot(away, away));
-  for (std::size_t i = 0; i < piece.size; ++i)
-    if (dot(away, centre_ + piece.at[i] - nearest) < far) return false;
   return true;
 }
 

@@ -52,7 +52,6 @@ class TileRemainder {
   void add_cell(const Extent& cell, std::size_t from, int depth);
   bool subtract(const Extent& cell, std::size_t from, Bound bound, bool may_stop);
   bool subtract(const Capsule& capsule, Bound bound, const Extent& where);
-  bool apart(const Convex& piece, const Capsule& capsule) const;
   void add_quarter(const Extent& quarter, std::size_t from, std::size_t to, int depth);
 
   const std::vector<Capsule>& capsules_;
@@ -63,7 +62,7 @@ class TileRemainder {
   // Working memory.
   std::vector<Candidate> candidates_;  // a stack: of the tile, of its quarter, ...
   std::vector<Convex> pieces_, parts_;
-  std::vector<HalfPlane> cut_;
+  std::vector<HalfPlane> cut_, crossing_;
 };
 
 }  // namespace oxturn

@@ -146,8 +146,11 @@ void TileScan::add_untouched(std::int64_t from, std::int64_t to) {
   }
 }
 
+/// Does what is swept outside the target count?
+bool TileScan::counts_outside() const { return details_ != nullptr && details_->swath == Swath::anywhere; }
+
 void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
-  if (details_ == nullptr && target.outside()) return;
+  if (target.outside() && !counts_outside()) return;
   const double wanted = target.inside() ? 1 : target.outside() ? 0 : target.area_in(unit_square());
   const double left = uncovered(tile);
   double missed = 0;
@@ -166,7 +169,7 @@ void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
 void TileScan::add_details(const Tile& tile, const TileTarget& target, double left, double covered) {
   details_->swept += 1 - left;
   if (covered > 0) details_->curve.add(tile.centre, tile.near, capsules_.all, target, covered);
-  if (!target.inside()) add_visits(tile, target);
+  if (!target.inside() && counts_outside()) add_visits(tile, target);
 }
 
 bool TileScan::any_covers(const Tile& tile) const {
@@ -250,17 +253,19 @@ double TileScan::visits_begun(const Tile& tile, const TileTarget& target, const 
 }
 
 /// Appends `piece` clipped to cut_[from] and all later half-planes, in halves where it gets too many vertices.
-void TileScan::clip_to_cut(Convex piece, std::size_t from, std::vector<Convex>& out) {
-  for (; from < cut_.size() && piece.size >= 3; ++from) {
-    if (piece.size > Convex::kWide) {
-      const auto [one, two] = halves(piece);
-      clip_to_cut(one, from, out);
-      clip_to_cut(two, from, out);
+void TileScan::clip_to_cut(const Convex& piece, std::size_t from, std::vector<Convex>& out) {
+  Convex one, two;
+  const Convex* left = &piece;
+  for (; from < cut_.size() && left != nullptr; ++from) {
+    if (left->size > Convex::kWide) {
+      const auto [half, other] = halves(*left);
+      clip_to_cut(half, from, out);
+      clip_to_cut(other, from, out);
       return;
     }
-    piece = clipped(piece, cut_[from]);
+    left = clip(*left, cut_[from], left == &one ? two : one);
   }
-  if (piece.size >= 3) out.push_back(piece);
+  if (left != nullptr) out.push_back(*left);
 }
 
 }  // namespace oxturn

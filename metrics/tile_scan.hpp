@@ -29,7 +29,8 @@ struct TileSums {
 struct TileDetails {
   CoverageCurve curve;
   UncoveredPieces pieces = UncoveredPieces();
-  double swept = 0;           // tiles: union of all swaths, estimate
+  Swath swath = Swath::anywhere;
+  double swept = 0;           // tiles: union of all swaths, estimate; of tiles with target alone if it lies within
   double visits_outside = 0;  // tiles: where visits begin outside the target, estimate
 };
 
@@ -56,6 +57,7 @@ class TileScan {
   void sort_near();
   void scan_row(std::int64_t row);
   void add_untouched(std::int64_t from, std::int64_t to);
+  bool counts_outside() const;
   void scan_tile(const Tile& tile, const TileTarget& target);
   void add_details(const Tile& tile, const TileTarget& target, double left, double covered);
   bool any_covers(const Tile& tile) const;
@@ -64,7 +66,7 @@ class TileScan {
   void add_visits(const Tile& tile, const TileTarget& target);
   std::optional<Extent> box_outside(const TileTarget& target);
   double visits_begun(const Tile& tile, const TileTarget& target, const Extent& where, const Capsule& k, Vec from);
-  void clip_to_cut(Convex piece, std::size_t from, std::vector<Convex>& out);
+  void clip_to_cut(const Convex& piece, std::size_t from, std::vector<Convex>& out);
 
   TargetRows rows_;
   const CapsuleSet& capsules_;

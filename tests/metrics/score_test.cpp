@@ -139,6 +139,31 @@ TEST(Score, NothingToDivideByIsEmpty) {
   EXPECT_FALSE(jump.value("length_ratio").has_value()) << "a path that teleports has no least length";
 }
 
+/// What is swept outside the target counts for `overlap`, and is told apart for `revisits`.
+TEST(Score, SweptOutsideTheTarget) {
+  const Region room = box_region({0, 0}, {10, 4});
+  const auto problem_of = [&](double tool, const std::optional<Region>& target_area, std::optional<Tether> tether) {
+    Robot robot;
+    robot.radius = 0.2;
+    robot.tool_width = tool;
+    robot.tether = tether;
+    Map map{"room", room, "test", "test"};
+    map.target_area = target_area;
+    return Problem(map, robot, Point(1, 2));
+  };
+  const Path along = work({{1, 2}, {9, 2}, {9, 1}, {1, 1}}), wall = work({{1, 2}, {1, 0.1}, {9, 0.1}, {9, 2}});
+  const auto expect_any = [](const Problem& p, const Path& path) {
+    const SweptArea s = swept_area(p.target(), p.target_excess(), p.robot().tool_width, path);
+    const Score scored = score(p, path);
+    EXPECT_NEAR(*scored.value("overlap"), std::max(0.0, s.work_m2 / s.union_m2 - 1), 1e-9);
+    EXPECT_NEAR(*scored.value("revisits"), std::max(0.0, s.visits_m2 / s.covered_estimate_m2 - 1), 1e-9);
+  };
+  expect_any(problem_of(3, std::nullopt, std::nullopt), along);        // a tool that reaches into the walls
+  expect_any(problem_of(0.4, box_region({0, 0}, {5, 4}), {}), along);  // beyond the target area
+  expect_any(problem_of(0.4, std::nullopt, std::nullopt), wall);       // into a wall
+  expect_any(problem_of(0.4, std::nullopt, Tether{0, 5}), along);      // beyond the tether's reach
+}
+
 TEST(Score, LengthRatioNeverBelowOne) {
   const Problem p = problem_in(two_holes(), {1, 1}, 0.1, 0.4);
   Rng rng(21);

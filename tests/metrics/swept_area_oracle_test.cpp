@@ -4,6 +4,7 @@
 #include "metrics/swept_area.hpp"
 #include "shapes.hpp"
 #include "tests/support/seeds.hpp"
+#include "tethered.hpp"
 
 namespace oxturn {
 namespace {
@@ -242,6 +243,28 @@ TEST(SweptOracle, NeverMoreThanItsLengthCanSweep) {
     EXPECT_LE(s.covered_m2, path.length() * w + kPi * w * w / 4);
     EXPECT_LE(s.union_m2, (path.length() * w + kPi * w * w / 4) * 1.0003);
     EXPECT_GE(s.visits_m2, s.covered_estimate_m2 * 0.998);
+  }
+}
+
+/// A valid path of a tool no wider than the robot sweeps nothing but target.
+TEST(SweptOracle, WithinTheTarget) {
+  for (const auto seed : seeds(60)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const double tool = rng.between(0.2, 0.4);
+    const Problem p = problem_in(two_holes(), {1, 1}, 0.2, tool);
+    const Path path = work(free_walk(p, rng, rng.between(3, 200), 3));
+    const SweptArea any = swept_area(p.target(), p.target_excess(), tool, path),
+                    within = swept_area(p.target(), p.target_excess(), tool, path, 0.001, MissedOutlines::kept,
+                                        Swath::in_target);
+    EXPECT_EQ(within.coverage.lower, any.coverage.lower);
+    EXPECT_EQ(within.coverage.upper, any.coverage.upper);
+    EXPECT_EQ(within.missed.size(), any.missed.size());
+    EXPECT_NEAR(within.union_m2, any.union_m2, 1e-6 * any.union_m2);
+    // Up to the slivers between the target and its chords, which a path along a wall sweeps.
+    EXPECT_NEAR(within.visits_m2, any.visits_m2, 2e-3 * any.visits_m2);
+    EXPECT_NEAR(within.covered_estimate_m2, any.covered_estimate_m2, p.target_excess() + 2e-4 * any.covered_m2);
+    EXPECT_EQ(within.covered_estimate_m2, within.union_m2);
   }
 }
 
