@@ -9,9 +9,11 @@ namespace {
 
 constexpr double kHalfDiagonal = 0.70710678118654757;  // of a tile
 constexpr Extent kTile{{0, 0}, {0.5, 0.5}};
-constexpr double kSpare = 1e-9;  // tile sides: an extra candidate costs little, a missing one would be wrong
+constexpr double kSpare = 1e-9;        // tile sides: an extra candidate costs little, a missing one would be wrong
+constexpr std::size_t kCrowded = 8;    // capsules near a tile
+constexpr double kCloseBounds = 5e-4;  // tiles: the coarsest chords tell enough of the uncovered area
 // Chords per half disc.
-constexpr int kFirstChords = 16, kMostChords = 1024, kVisitChords = 32;
+constexpr int kFirstChords = 8, kMostChords = 1024, kVisitChords = 32;
 constexpr double kStillShrinks = 0.9;                    // of the gap between bounds, with twice the chords
 constexpr double kGain = 4;                              // factor by which it shrinks where the arcs make it
 constexpr double kLeastWanted = 0.1;                     // tiles: budgets of tiles with less target are not smaller
@@ -23,6 +25,11 @@ const Convex& unit_square() {
 }
 
 std::int64_t floor_of(double x) { return static_cast<std::int64_t>(std::floor(x)); }
+
+/// Of an area.
+struct Bounds {
+  double least, most;
+};
 
 /// Huygens: cancels the leading errors of both.
 double estimate(double inscribed, double circumscribed) { return inscribed / 3 + 2 * circumscribed / 3; }
@@ -179,11 +186,18 @@ bool TileScan::any_covers(const Tile& tile) const {
   });
 }
 
-/// Uncovered area of the tile by the coarsest chords, estimated; leaves the pieces in left_ unless it is 0.
+/// Uncovered area of the tile, estimated; leaves the pieces in left_ unless it is 0. By the coarsest chords, if they
+/// tell enough: where capsules are crowded, most arcs are inside others.
 double TileScan::uncovered(const Tile& tile) {
   if (any_covers(tile)) return 0;
-  left_.compute(tile.centre, tile.near, chords_[0]);
-  return estimate(area(left_.most()), area(left_.least()));
+  const auto by = [&](std::size_t level) {
+    level_ = level;
+    left_.compute(tile.centre, tile.near, chords_[level]);
+    return Bounds{area(left_.least()), area(left_.most())};
+  };
+  Bounds bounds = by(tile.near.size() > kCrowded ? 0 : 1);
+  if (level_ == 0 && bounds.most - bounds.least > kCloseBounds) bounds = by(1);
+  return estimate(bounds.most, bounds.least);
 }
 
 /// Refines the chords until the bounds of the missed target are within the budget, or as near as they get (the
@@ -193,7 +207,7 @@ double TileScan::add_missed(const Tile& tile, const TileTarget& target, double w
   double gap = std::numeric_limits<double>::infinity();
   const double missed = std::min(wanted, estimate(most, least));
   const double wide = budget_ * std::max(wanted, kLeastWanted);
-  for (std::size_t n = 1; n < chords_.size() && most - least > wide; ++n) {
+  for (std::size_t n = level_ + 1; n < chords_.size() && most - least > wide; ++n) {
     if (most - least > kStillShrinks * gap) break;
     gap = most - least;
     for (double next = gap / kGain; next > kGain * wide && n + 1 < chords_.size(); next /= kGain) ++n;

@@ -75,6 +75,7 @@ class TileScan {
   double budget_ = 0;
   double reach_;                // how far a capsule extends from its segment at most
   std::vector<Chords> chords_;  // coarse to fine
+  std::size_t level_ = 0;       // of the chords that left_ was computed with
   Chords visit_chords_;
   TileSums sums_;
   // Of the present row or tile; members so that their memory is reused.

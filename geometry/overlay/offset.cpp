@@ -204,12 +204,22 @@ struct Resolution {
   double reach, error;
 };
 
+/// As many edges as offset curves have whose arcs turn once around each ring: a list of millions that grows by itself
+/// takes twice the memory.
+std::size_t usual_edges(const Region& region, double half_step) {
+  std::size_t edges = 0;
+  for_each_ring(region,
+                [&](const Ring& ring) { edges += 3 * ring.size() + static_cast<std::size_t>(kPi / half_step); });
+  return edges;
+}
+
 /// Adds the offset curves of a region to an overlay, as one operand. False if the lattice does not resolve the radius.
 bool add_offset(std::vector<OverlayEdge>& edges, const Region& region, const Lattice& lattice, double radius,
                 double chord_error, Direction direction, Arcs arcs, Windings unit) {
   const Resolution resolution(radius, chord_error, arcs, lattice);
   if (resolution.reach <= 0) return false;  // chords
   const OffsetCurve curve(resolution.reach, resolution.half_step(), direction, arcs, unit);
+  edges.reserve(edges.size() + usual_edges(region, resolution.half_step()));
   for_each_snapped_ring(region, lattice, [&](const std::vector<LatticePoint>& ring, RingKind) {
     curve.add(direction == Direction::outwards ? straightened_ring(ring) : ring, edges);
   });

@@ -316,6 +316,7 @@ void resolve(std::vector<OverlayEdge>& edges) {
     merge(resolved, unresolved, pieces);
   };
   merge(resolved, unresolved, pieces);
+  unresolved = Edges();  // memory for what follows
   const FirstLook first = look_at_all(pieces);
   if (!first.cuts.empty()) split_at(first.cuts);
   if (!first.again.empty()) {
