@@ -204,13 +204,16 @@ struct Resolution {
   double reach, error;
 };
 
-/// As many edges as offset curves have whose arcs turn once around each ring: a list of millions that grows by itself
-/// takes twice the memory.
-std::size_t usual_edges(const Region& region, double half_step) {
-  std::size_t edges = 0;
-  for_each_ring(region,
-                [&](const Ring& ring) { edges += 3 * ring.size() + static_cast<std::size_t>(kPi / half_step); });
-  return edges;
+/// About as many edges as the offset curves have at least: the arcs of a ring that is followed on its outside turn once
+/// around. A list of millions that grows by itself takes twice the memory.
+std::size_t least_edges(const Region& region, double half_step, Direction direction) {
+  std::size_t vertices = 0, round = 0;
+  for (const Polygon& p : region.polygons) {
+    vertices += p.outer.size();
+    for (const Ring& hole : p.holes) vertices += hole.size();
+    round += direction == Direction::inwards ? p.holes.size() : 1;
+  }
+  return 2 * vertices + round * static_cast<std::size_t>(kPi / half_step);
 }
 
 /// Adds the offset curves of a region to an overlay, as one operand. False if the lattice does not resolve the radius.
@@ -219,7 +222,7 @@ bool add_offset(std::vector<OverlayEdge>& edges, const Region& region, const Lat
   const Resolution resolution(radius, chord_error, arcs, lattice);
   if (resolution.reach <= 0) return false;  // chords
   const OffsetCurve curve(resolution.reach, resolution.half_step(), direction, arcs, unit);
-  edges.reserve(edges.size() + usual_edges(region, resolution.half_step()));
+  edges.reserve(edges.size() + least_edges(region, resolution.half_step(), direction));
   for_each_snapped_ring(region, lattice, [&](const std::vector<LatticePoint>& ring, RingKind) {
     curve.add(direction == Direction::outwards ? straightened_ring(ring) : ring, edges);
   });
