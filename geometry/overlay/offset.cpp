@@ -141,6 +141,7 @@ class OffsetCurve {
                      std::vector<OverlayEdge>& edges) const {
     if (cluster.size() >= kLeastCluster) {
       std::vector<std::vector<LatticePoint>> polygons;
+      polygons.reserve(cluster.size());
       for (const Detour& d : cluster) polygons.push_back(closed(walk.ring, d));
       const Windings weight = direction_ == Direction::outwards ? unit_ : Windings{} - unit_;
       add_boundary(edges, united(polygons, 0, polygons.size()), weight);
