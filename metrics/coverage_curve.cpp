@@ -11,7 +11,8 @@ constexpr std::size_t kBins = 65536;
 constexpr double kSamples = 1e5;  // in the target
 constexpr std::size_t kFewCapsules = 32, kFewSamples = 4;
 constexpr double kSpare = 1e-9;  // tile sides: rounding
-constexpr std::array<std::array<int, 2>, 6> kLattices{{{5, 3}, {13, 8}, {34, 21}, {89, 55}, {233, 144}, {610, 377}}};
+constexpr std::array<std::array<int, 2>, 7> kLattices{
+    {{2, 1}, {5, 3}, {13, 8}, {34, 21}, {89, 55}, {233, 144}, {610, 377}}};
 
 std::vector<Vec> lattice(double tiles) {
   std::size_t which = 0;

@@ -7,7 +7,7 @@
 /// Method      Each tile has the same sample points, a Fibonacci lattice. A sample belongs to the position on the path
 ///             at which the tool first reaches it. A tile's covered area is divided among its covered samples in the
 ///             target, so the sum of all is exact, and only its distribution along the path is estimated (some 10^5
-///             samples in the target, at least 5 a tile). Where many capsules are near, the tile is divided into
+///             samples in the target, at least 2 a tile). Where many capsules are near, the tile is divided into
 ///             quarters, of which each needs only the capsules that reach it, up to the first that contains it.
 /// Complexity  a tile: O(samples x capsules near it) for few capsules, less where the first ones cover it
 #pragma once
