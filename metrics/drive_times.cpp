@@ -49,11 +49,10 @@ void DriveTimes::add(const Sample& sample) {
   double speed = sample.at_rest ? 0 : sample.limit;
   if (!pending_.empty()) {
     Pending& before = pending_.back();
-    before.top = std::max(limit_, sample.limit);
+    before.top = std::max(before.top, sample.limit);
     speed = std::min(speed, std::sqrt(before.speed * before.speed + 2 * acceleration_ * before.length));
   }
-  limit_ = sample.limit;
-  pending_.push_back({sample.path_m, sample.length, sample.turn, speed, 0});
+  pending_.push_back({sample.path_m, sample.length, sample.turn, speed, sample.limit});
   if (pending_.size() < room_) return;
   brake();
   pass_until(last_settled());
@@ -122,7 +121,7 @@ double DriveTimes::at(double path_m) const {
   if (!(here.length > 0)) return here.begin_s + share_of_time(part, here.from, here.to) * whole_s;
   const double drive = seconds(here.length, here.from, here.to, here.top, acceleration_);
   const double driven = seconds_of_part(part * here.length, here.length, here.from, here.to, here.top, acceleration_);
-  return here.begin_s + std::min(1.0, driven / drive) * whole_s;
+  return here.begin_s + (drive > 0 ? std::min(1.0, driven / drive) : part) * whole_s;  // 0: too short for a double
 }
 
 }  // namespace oxturn

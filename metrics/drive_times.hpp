@@ -49,7 +49,7 @@ class DriveTimes {
   struct Pending {
     double path_m, length, turn;
     double speed;  // at the sample
-    double top;    // the greatest until the next sample
+    double top;    // the greatest until the next sample, once that is known
   };
   /// With the greatest acceleration up to `top` and down again; if its length is 0, with a constant one.
   struct Stretch {
@@ -64,7 +64,6 @@ class DriveTimes {
   double acceleration_, turn_rate_, min_turn_radius_, step_;
   std::vector<Pending> pending_;  // their speeds may still become lower, by samples to come
   std::size_t room_;              // of pending_, until some are settled
-  double limit_ = 0;              // at the last sample
   bool joins_ = false;            // may the next samples belong to the last stretch?
   std::deque<Stretch> stretches_;
   double total_ = 0;

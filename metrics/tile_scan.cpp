@@ -10,7 +10,7 @@ namespace {
 constexpr double kHalfDiagonal = 0.70710678118654757;  // of a tile
 constexpr Extent kTile{{0, 0}, {0.5, 0.5}};
 constexpr double kSpare = 1e-9;        // tile sides: an extra candidate costs little, a missing one would be wrong
-constexpr std::size_t kCrowded = 8;    // capsules near a tile
+constexpr std::size_t kCrowded = 8;    // capsules near a tile: with more, the coarsest chords come first
 constexpr double kCloseBounds = 5e-4;  // tiles: the coarsest chords tell enough of the uncovered area
 // Chords per half disc.
 constexpr int kFirstChords = 8, kMostChords = 1024, kVisitChords = 32;
@@ -25,11 +25,6 @@ const Convex& unit_square() {
 }
 
 std::int64_t floor_of(double x) { return static_cast<std::int64_t>(std::floor(x)); }
-
-/// Of an area.
-struct Bounds {
-  double least, most;
-};
 
 /// Huygens: cancels the leading errors of both.
 double estimate(double inscribed, double circumscribed) { return inscribed / 3 + 2 * circumscribed / 3; }
@@ -190,14 +185,14 @@ bool TileScan::any_covers(const Tile& tile) const {
 /// tell enough: where capsules are crowded, most arcs are inside others.
 double TileScan::uncovered(const Tile& tile) {
   if (any_covers(tile)) return 0;
-  const auto by = [&](std::size_t level) {
-    level_ = level;
-    left_.compute(tile.centre, tile.near, chords_[level]);
-    return Bounds{area(left_.least()), area(left_.most())};
-  };
-  Bounds bounds = by(tile.near.size() > kCrowded ? 0 : 1);
-  if (level_ == 0 && bounds.most - bounds.least > kCloseBounds) bounds = by(1);
-  return estimate(bounds.most, bounds.least);
+  compute_left(tile, tile.near.size() > kCrowded ? 0 : 1);
+  if (level_ == 0 && area(left_.most()) - area(left_.least()) > kCloseBounds) compute_left(tile, 1);
+  return estimate(area(left_.most()), area(left_.least()));
+}
+
+void TileScan::compute_left(const Tile& tile, std::size_t level) {
+  level_ = level;
+  left_.compute(tile.centre, tile.near, chords_[level]);
 }
 
 /// Refines the chords until the bounds of the missed target are within the budget, or as near as they get (the
@@ -211,7 +206,7 @@ double TileScan::add_missed(const Tile& tile, const TileTarget& target, double w
     if (most - least > kStillShrinks * gap) break;
     gap = most - least;
     for (double next = gap / kGain; next > kGain * wide && n + 1 < chords_.size(); next /= kGain) ++n;
-    left_.compute(tile.centre, tile.near, chords_[n]);
+    compute_left(tile, n);
     most = target.area_in(left_.most());
     least = target.area_in(left_.least());
   }

@@ -30,7 +30,7 @@ struct TileDetails {
   CoverageCurve curve;
   UncoveredPieces pieces = UncoveredPieces();
   Swath swath = Swath::anywhere;
-  double swept = 0;           // tiles: union of all swaths, estimate; of tiles with target alone if it lies within
+  double swept = 0;           // tiles: union of all swaths, estimate; if they lie in the target, in tiles with target
   double visits_outside = 0;  // tiles: where visits begin outside the target, estimate
 };
 
@@ -62,6 +62,7 @@ class TileScan {
   void add_details(const Tile& tile, const TileTarget& target, double left, double covered);
   bool any_covers(const Tile& tile) const;
   double uncovered(const Tile& tile);
+  void compute_left(const Tile& tile, std::size_t level);
   double add_missed(const Tile& tile, const TileTarget& target, double wanted, double least);
   void add_visits(const Tile& tile, const TileTarget& target);
   std::optional<Extent> box_outside(const TileTarget& target);

@@ -267,8 +267,8 @@ std::vector<WaveTree::Index> WaveTree::starts() const {
   return start;
 }
 
-/// Calls f(a, b, leaf) for each link of the spine, once in each direction, in the order of the leaves: to the
-/// start of that leaf. `start`: those of all nodes.
+/// Walks round the spine, from where the path to a leaf begins to where that to the next leaf does, and calls
+/// f(a, b, next leaf) for each link from a to b. `start`: of all nodes, what starts() returns.
 template <class F>
 void WaveTree::walk_round_spine(const std::vector<Index>& start, F f) const {
   std::vector<Index> rank(nodes_.size());
@@ -366,7 +366,7 @@ std::vector<WaveTree> wave_trees(const MedialAxis& axis) {
   }
   const auto part = [&](std::size_t node) -> Part& { return parts[part_of[sets.find(node)]]; };
   for (const MedialAxis::Edge& e : tree) part(e.a).links.push_back({index[e.a], index[e.b]});
-  for (const MedialAxis::Spoke& s : axis.spokes) { part(s.node).add_leaf(s.foot, index[s.node]); }
+  for (const MedialAxis::Spoke& s : axis.spokes) part(s.node).add_leaf(s.foot, index[s.node]);
   std::vector<WaveTree> trees;
   for (Part& p : parts)
     if (!p.leaves.empty()) trees.push_back(tree_of(std::move(p)));

@@ -208,13 +208,9 @@ struct Resolution {
 /// About as many edges as the offset curves have at least: the arcs of a ring that is followed on its outside turn once
 /// around. A list of millions that grows by itself takes twice the memory.
 std::size_t least_edges(const Region& region, double half_step, Direction direction) {
-  std::size_t vertices = 0, round = 0;
-  for (const Polygon& p : region.polygons) {
-    vertices += p.outer.size();
-    for (const Ring& hole : p.holes) vertices += hole.size();
-    round += direction == Direction::inwards ? p.holes.size() : 1;
-  }
-  return 2 * vertices + round * static_cast<std::size_t>(kPi / half_step);
+  std::size_t round = 0;
+  for (const Polygon& p : region.polygons) round += direction == Direction::inwards ? p.holes.size() : 1;
+  return 2 * vertex_count(region) + round * static_cast<std::size_t>(kPi / half_step);
 }
 
 /// Adds the offset curves of a region to an overlay, as one operand. False if the lattice does not resolve the radius.
