@@ -137,9 +137,11 @@ class PlannerParent {
   void take(char type, std::string_view payload) {
     switch (type) {
       case frames::kPublished:
+        planned_.path.reset();  // its memory first
         planned_.path = wire::path_from(payload);
         break;
       case frames::kResult:
+        planned_.path.reset();
         result_ = wire::path_from(payload);
         break;
       case frames::kNothing:

@@ -261,7 +261,10 @@ FrameReader::State FrameReader::read(int fd, const std::function<void(char, std:
     std::memcpy(&size, buffer_.data() + done + 1, sizeof size);
     if (size > longest_)
       throw std::runtime_error(fmt::format("a message of {} bytes, more than the limit of {}", size, longest_));
-    if (buffer_.size() - done - kHeader < size) break;
+    if (const std::size_t whole = done + kHeader + size; buffer_.size() < whole) {
+      buffer_.reserve(whole);  // not by doubling: a path may be a large part of the memory
+      break;
+    }
     frame(buffer_[done], std::string_view(buffer_).substr(done + kHeader, size));
     done += kHeader + size;
   }

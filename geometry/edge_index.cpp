@@ -85,6 +85,7 @@ double box_gap(const Point& a, const Point& b, const Edge& e) {
 }  // namespace
 
 EdgeIndex::EdgeIndex(const Region& region) {
+  edges_.reserve(vertex_count(region));
   for_each_edge(region, [&](const Point& a, const Point& b) {
     if (a != b) edges_.push_back({a, b});
   });

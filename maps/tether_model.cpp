@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/text.hpp"
 #include "base/throw_invalid.hpp"
@@ -45,19 +46,28 @@ std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, cons
 }
 
 /// The largest geodesic distance within `space`: it is taken at a vertex, or where two shortest paths round an obstacle
-/// meet.
+/// meet. Distances grow by no more than points move, so most vertices of a ring need not be asked for theirs.
 double farthest_in(const Region& space, const GeodesicField& field, double chord) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity(), kRounding = 1e-9;  // relative
   double most = 0;
-  const auto add = [&](const Point& p) {
-    if (const double d = field.distance(p); std::isfinite(d)) most = std::max(most, d);
-  };
-  for_each_ring(space, [&](const Ring& ring) { std::for_each(ring.begin(), ring.end(), add); });
+  for_each_ring(space, [&](const Ring& ring) {
+    double bound = kInfinity;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (i > 0) bound += distance(ring[i - 1], ring[i]);
+      if (bound * (1 + kRounding) < most) continue;
+      bound = field.distance(ring[i]);
+      if (std::isfinite(bound)) most = std::max(most, bound);
+    }
+  });
+  const std::vector<Polyline> curves = field.cut_locus(chord, most);
+  if (curves.empty()) return most;
   const EdgeIndex walls(space);
-  for (const Polyline& curve : field.cut_locus(chord))
+  for (const Polyline& curve : curves)
     for (std::size_t i = 1; i < curve.size(); ++i) {
       const double n = std::max(1.0, std::ceil(distance(curve[i - 1], curve[i]) / (5 * chord)));
       for (double k = 0; k <= n; ++k)
-        if (const Point p = lerp(curve[i - 1], curve[i], k / n); walls.contains(p)) add(p);
+        if (const Point p = lerp(curve[i - 1], curve[i], k / n); walls.contains(p))
+          if (const double d = field.distance(p); std::isfinite(d)) most = std::max(most, d);
     }
   return most;
 }

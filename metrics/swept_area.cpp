@@ -30,10 +30,10 @@ void check(double width, const Path& path) {
 /// The path over the target, in tile coordinates: (p - origin) / side.
 struct Ground {
   const Region& target;
+  const Path& path;
   Point origin;
-  double side, tile_m2;
-  Box room;  // the part of the path inside it counts
-  WorkChains chains;
+  double side, tile_m2, joint;
+  Box room;               // the part of the path inside it counts
   double wanted, excess;  // tiles: the target, and by how much it may be larger
   double arcs;            // how wide the chords may make the coverage's interval
   double tile_share;      // how much of `arcs` a tile may take: tiles within the target take nothing
@@ -54,7 +54,7 @@ Ground ground_of(const Region& target, double target_excess, double width, const
   room.grow(kReach * kToolRadius);
   const double joint = 1e-6 * width + 1e-12 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
   const double wanted = wanted_m2 / tile_m2, excess = target_excess / tile_m2;
-  return {target, box.low, side, tile_m2, room, work_chains(path, box.low, side, joint), wanted, excess,
+  return {target, path, box.low, side, tile_m2, joint, room, wanted, excess,
           // What the target's own error leaves of the interval is for the arcs.
           std::max(certainty - excess / wanted, certainty / kArcsAtLeast),
           // Where all tiles have a boundary in them, each may take its share only.
@@ -63,15 +63,17 @@ Ground ground_of(const Region& target, double target_excess, double width, const
           1e-9 + 1e-15 * size.maxCoeff()};
 }
 
-/// Says so rather than scan without an end.
-void check_size(const Ground& g) {
+WorkChains chains_of(const Ground& g) { return work_chains(g.path, g.origin, g.side, g.joint); }
+
+/// Says so rather than scan without an end. `work`: length times width, tiles.
+void check_size(const Ground& g, double work) {
   const double rows = bounding_box(g.target).size().y() / g.side;
   if (rows > kMostRows)
     throw std::invalid_argument(fmt::format(
         "the target is {:.3g} m high, {:.3g} times half the tool's width, more than 2e7: too much to score; "
         "take a wider tool or a smaller map, or check the map's scale",
         rows * g.side, rows));
-  const double driven = work_in(g.chains, g.room) / (2 * kToolRadius);
+  const double driven = work / (2 * kToolRadius);
   if (driven > kMostWork)
     throw std::invalid_argument(fmt::format(
         "the path works for {:.3g} m, {:.3g} times half the tool's width, more than 1e9: too much to score; "
@@ -80,17 +82,23 @@ void check_size(const Ground& g) {
 }
 
 struct Scan {
+  double work = 0;  // length times width, tiles
   CapsuleSet set;
   TileSums sums;
 };
 
 /// Scans with smaller budgets until the bounds of the missed target are close enough. The details of the last scan
 /// replace `details`, unless they are nullptr.
-Scan scanned(const Ground& g, double path_m, TileDetails* details) {
+Scan scanned(const Ground& g, TileDetails* details) {
   Scan scan;
+  const double path_m = g.path.length();
   double budget = g.tile_share * g.arcs, slack = kToolRadius * g.arcs * kSlackShare;
   for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
-    scan.set = capsules(g.chains, g.room, slack);
+    {
+      const WorkChains chains = chains_of(g);  // a large part of the memory, not needed while tiles are scanned
+      if (attempt == 0) check_size(g, scan.work = work_in(chains, g.room));
+      scan.set = capsules(chains, g.room, slack);
+    }
     if (details != nullptr)
       *details = {{path_m, g.wanted}, UncoveredPieces(details->pieces.outlines()), details->swath};
     scan.sums = TileScan(g.target, g.origin, g.side, scan.set, g.margin, details).run(budget);
@@ -116,16 +124,14 @@ Interval coverage_in(const Ground& g, const TileSums& sums) {
 
 Interval coverage_of(const Region& target, double target_excess, double width, const Path& path, double certainty) {
   const Ground g = ground_of(target, target_excess, width, path, certainty);
-  check_size(g);
-  return coverage_in(g, scanned(g, path.length(), nullptr).sums);
+  return coverage_in(g, scanned(g, nullptr).sums);
 }
 
 SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path, double certainty,
                      MissedOutlines outlines, Swath swath) {
   const Ground g = ground_of(target, target_excess, width, path, certainty);
-  check_size(g);
   TileDetails details{{path.length(), g.wanted}, UncoveredPieces(outlines), swath};
-  const Scan scan = scanned(g, path.length(), &details);
+  const Scan scan = scanned(g, &details);
   SweptArea s;
   s.coverage = coverage_in(g, scan.sums);
   s.covered_m2 = least_covered(scan.sums) * g.tile_m2;
@@ -133,7 +139,7 @@ SweptArea swept_area(const Region& target, double target_excess, double width, c
   s.covered_estimate_m2 = swath == Swath::in_target
                               ? s.union_m2
                               : std::max(least_covered(scan.sums), scan.sums.target - scan.sums.missed) * g.tile_m2;
-  s.work_m2 = work_in(g.chains, g.room) * g.tile_m2;
+  s.work_m2 = scan.work * g.tile_m2;
   s.visits_m2 = std::max(0.0, scan.set.begun - details.visits_outside) * g.tile_m2;
   s.curve = details.curve.points(s.coverage.middle());
   s.missed = details.pieces.take(g.origin, g.side, kLeastPiece * kPi * kToolRadius * kToolRadius);

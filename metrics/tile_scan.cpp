@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace oxturn {
 namespace {
@@ -51,17 +52,32 @@ std::int64_t TileScan::last_row(std::uint32_t capsule) const {
   return floor_of(std::max(k.a.y, k.b.y) + reach_);
 }
 
+/// By their first rows, those of one row in driving order. A counting sort: rows are dense.
+std::vector<std::uint32_t> TileScan::sorted_capsules() const {
+  const auto size = static_cast<std::uint32_t>(capsules_.all.size());
+  if (size == 0) return {};
+  std::int64_t low = first_row(0), high = low;
+  for (std::uint32_t i = 1; i < size; ++i) {
+    low = std::min(low, first_row(i));
+    high = std::max(high, first_row(i));
+  }
+  const auto index = [&](std::uint32_t i) { return static_cast<std::size_t>(first_row(i) - low); };
+  std::vector<std::uint32_t> next(static_cast<std::size_t>(high - low) + 2, 0), sorted(size);
+  for (std::uint32_t i = 0; i < size; ++i) ++next[index(i) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  for (std::uint32_t i = 0; i < size; ++i) sorted[next[index(i)]++] = i;
+  return sorted;
+}
+
 TileSums TileScan::run(double budget) {
   budget_ = budget;
-  std::vector<std::pair<std::int64_t, std::uint32_t>> order;  // first row, capsule
-  for (std::uint32_t i = 0; i < capsules_.all.size(); ++i) order.emplace_back(first_row(i), i);
-  std::sort(order.begin(), order.end());
+  const std::vector<std::uint32_t> order = sorted_capsules();
   std::vector<std::uint32_t> active;
   std::size_t next = 0;
-  std::int64_t row = order.empty() ? 0 : std::min<std::int64_t>(0, order.front().first);
+  std::int64_t row = order.empty() ? 0 : std::min<std::int64_t>(0, first_row(order.front()));
   for (; next < order.size() || !active.empty() || row <= rows_.last_row(); ++row) {
     const auto old = static_cast<std::ptrdiff_t>(active.size());
-    for (; next < order.size() && order[next].first <= row; ++next) active.push_back(order[next].second);
+    for (; next < order.size() && first_row(order[next]) <= row; ++next) active.push_back(order[next]);
     std::inplace_merge(active.begin(), active.begin() + old, active.end());
     collect(row, active);
     scan_row(row);

@@ -52,6 +52,7 @@ class TileScan {
   };
   std::int64_t first_row(std::uint32_t capsule) const;
   std::int64_t last_row(std::uint32_t capsule) const;
+  std::vector<std::uint32_t> sorted_capsules() const;
   void collect(std::int64_t row, const std::vector<std::uint32_t>& active);
   void add_near(std::int64_t row, std::uint32_t capsule);
   void sort_near();

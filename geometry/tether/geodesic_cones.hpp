@@ -135,7 +135,7 @@ class GeodesicCones {
 /// See GeodesicField::level_sets, cut_locus and farthest. From the cones, triangle by triangle.
 std::vector<std::vector<std::vector<GeodesicField::Arc>>> level_sets_of(const GeodesicCones& cones,
                                                                         const std::vector<double>& lengths);
-std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error);
+std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error, double beyond);
 double farthest_of(const GeodesicCones& cones);
 
 }  // namespace oxturn

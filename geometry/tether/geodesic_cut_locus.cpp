@@ -103,7 +103,41 @@ class CutLocus {
     if (slack <= cones_.tie()) return find_straight_pieces(a, b, part);
     Facet both = seen;
     cones_.clip(both, b);
-    if (!both.empty()) find_curved_pieces(a, b, both);
+    if (!both.empty() && !is_one_sided(a, b, both)) find_curved_pieces(a, b, both);
+  }
+
+  /// Is the path by one of the two clearly shorter to every point of the facet? A quick test that notices most such
+  /// facets. The points to which the path by a is shorter are a convex set: if it has all vertices, it has the facet.
+  /// Nor does the curve, which is endless, meet a facet none of whose edges it crosses.
+  bool is_one_sided(const Cone& a, const Cone& b, const Facet& facet) {
+    ends_.clear();
+    for (const Point& p : facet.vertices()) {
+      const Point from_root = p - cones_.root(a.root).at;
+      const double away = from_root.norm(), by_b = cones_.distance_by(b, p);
+      const Point direction =
+          away > 0 ? Point(from_root / away) : Point(0, 0);  // at the root itself the length is least
+      ends_.push_back({direction, cones_.root(a.root).before + away - by_b, by_b});
+    }
+    if (std::ranges::all_of(ends_, [&](const End& e) { return e.longer < -cones_.tie(); })) return true;
+    if (!std::ranges::all_of(ends_, [&](const End& e) { return e.longer > cones_.tie(); })) return false;
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      if (least_between(ends_[i], ends_[(i + 1) % ends_.size()], facet.next(i) - facet.vertices()[i]) <= cones_.tie())
+        return false;
+    return true;
+  }
+  /// At a vertex of a facet: the direction from the root of a, and how much longer the path by a is than that by b.
+  struct End {
+    Point direction;
+    double longer, by_b;
+  };
+  /// The path by a is at least so much longer on the edge between two vertices: its length is convex along the edge,
+  /// and so above its tangents at both; that of the path by b is below its chord.
+  static double least_between(const End& from, const End& to, const Point& edge) {
+    const double chord = to.by_b - from.by_b;
+    const double fall = chord - from.direction.dot(edge), rise = to.direction.dot(edge) - chord;
+    if (fall <= 0) return from.longer;
+    if (rise <= 0) return to.longer;
+    return from.longer - fall * std::clamp((from.longer - to.longer + rise) / (fall + rise), 0.0, 1.0);
   }
 
   /// Is no other path clearly shorter than those by a and b?
@@ -185,6 +219,7 @@ class CutLocus {
   const GeodesicCones& cones_;
   std::span<const Cone> here_;
   std::vector<double> breaks_;
+  std::vector<End> ends_;  // of the facet looked at
   std::vector<CutPiece> pieces_;
 };
 
@@ -203,6 +238,15 @@ void append_points(const Bisector& curve, double begin, double end, double chord
   }
 }
 
+/// The greatest distance of any point of the piece. It is that of an end: a hyperbola is nearest to its focus at its
+/// vertex, and farther away on both sides.
+double farthest_of(const GeodesicCones& cones, const CutPiece& piece) {
+  const GeodesicCones::Root& u = cones.root(piece.root);
+  if (piece.straight) return u.before + piece.end;
+  const Bisector curve(u, cones.root(piece.other));
+  return u.before + std::max(distance(u.at, curve.at(piece.begin)), distance(u.at, curve.at(piece.end)));
+}
+
 }  // namespace
 
 const std::vector<CutPiece>& GeodesicCones::cut_pieces() const {
@@ -210,11 +254,12 @@ const std::vector<CutPiece>& GeodesicCones::cut_pieces() const {
   return cut_;
 }
 
-std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error) {
+std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error, double beyond) {
   constexpr int kMostHalvings = 40;
   if (!(chord_error > 0)) throw_invalid("chord error of a cut locus must be above 0 metres");
   std::vector<Polyline> out;
   for (const CutPiece& piece : cones.cut_pieces()) {
+    if (farthest_of(cones, piece) <= beyond) continue;
     const GeodesicCones::Root &u = cones.root(piece.root), &v = cones.root(piece.other);
     if (piece.straight) {
       const Point e = direction_away(u, v);
@@ -228,22 +273,14 @@ std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_erro
   return out;
 }
 
-/// The distance is convex along every cone, so it is largest at a vertex of the mesh or at the end of a piece of the
-/// cut locus.
+/// The distance is convex where one root's paths are shortest, so it is largest at a vertex of the mesh or at the end of
+/// a piece of the cut locus.
 double farthest_of(const GeodesicCones& cones) {
   double most = 0;
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones.mesh().triangles().size()); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       if (const double d = cones.to_vertex(t, k); std::isfinite(d)) most = std::max(most, d);
-  for (const CutPiece& piece : cones.cut_pieces()) {
-    const GeodesicCones::Root& u = cones.root(piece.root);
-    if (piece.straight) {
-      most = std::max(most, u.before + piece.end);
-      continue;
-    }
-    const Bisector curve(u, cones.root(piece.other));
-    for (const double p : {piece.begin, piece.end}) most = std::max(most, u.before + distance(u.at, curve.at(p)));
-  }
+  for (const CutPiece& piece : cones.cut_pieces()) most = std::max(most, farthest_of(cones, piece));
   return most;
 }
 

@@ -129,7 +129,9 @@ std::vector<std::vector<std::vector<GeodesicField::Arc>>> GeodesicField::level_s
     const std::vector<double>& lengths) const {
   return level_sets_of(*cones_, lengths);
 }
-std::vector<Polyline> GeodesicField::cut_locus(double chord_error) const { return cut_locus_of(*cones_, chord_error); }
+std::vector<Polyline> GeodesicField::cut_locus(double chord_error, double beyond) const {
+  return cut_locus_of(*cones_, chord_error, beyond);
+}
 
 Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord_error) {
   if (!(chord_error > 0)) throw_invalid("chord error of an arc must be above 0 metres");

@@ -487,6 +487,20 @@ TEST(GeodesicField, AtTheCutTwoEquallyLongPathsEncloseAnObstacle) {
   EXPECT_GT(tried, 300);
 }
 
+// Pieces are left out only if no point of theirs is farther than asked for.
+TEST(GeodesicField, TheCutBeyondADistance) {
+  for_each_scene(40, {0, 1, 3, 4}, [](const Scene& scene, Rng& rng) {
+    const GeodesicField field(scene.region, scene.open(rng), {}, 1e-9);
+    const double beyond = rng.between(0.3, 1.0) * field.farthest();
+    std::vector<Polyline> far = field.cut_locus(1e-3);
+    std::erase_if(far, [&](const Polyline& piece) {
+      return std::ranges::all_of(piece, [&](const Point& p) { return field.distance(p) <= beyond; });
+    });
+    EXPECT_EQ(field.cut_locus(1e-3, beyond), far);
+    EXPECT_TRUE(field.cut_locus(1e-3, field.farthest() * (1 + 1e-9)).empty());
+  });
+}
+
 // The theorem: cut open, free space is simply connected, and its shortest paths from the anchor are the geodesics.
 TEST(GeodesicField, SpaceCutOpenHasNoHolesAndTheSameDistances) {
   for_each_scene(50, {0, 1, 3, 4}, [](const Scene& scene, Rng& rng) {

@@ -26,6 +26,14 @@ Map hall() { return {"hall", box_region({0, 0}, {10, 10}), "test", "test"}; }
 Map hall_with_pillar() {
   return {"pillar", subtract(box_region({0, 0}, {10, 10}), box_region({4, 4}, {6, 6})), "test", "test"};
 }
+Polyline sampled_along(const Polyline& line, double step) {
+  Polyline points{line.front()};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double n = std::ceil(distance(line[i - 1], line[i]) / step);
+    for (double k = 1; k <= n; ++k) points.push_back(lerp(line[i - 1], line[i], k / n));
+  }
+  return points;
+}
 template <class F>
 std::string complaint(F f) {
   try {
@@ -48,6 +56,28 @@ TEST(TetheredProblem, TheCutStaysOnTheMap) {
     for (const Polyline& piece : field.cut_locus(0.01))
       for (const Point& p : piece) ASSERT_TRUE(box.contains(p)) << seed << " " << p.transpose();
   }
+}
+
+// The largest distance is found without asking for that of every vertex: here all are asked, and all of the cut.
+TEST(TetheredProblem, FarthestIsThatOfAllVerticesAndOfTheCut) {
+  for (const char* kind : {"clutter", "speckle", "rooms", "cave"})
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      const Map map = generate(kind, {{"width", 16.0}, {"height", 14.0}}, seed);
+      Robot robot;  // along the cut, distances are taken every w / 20
+      robot.tether = Tether{0, 1.1};
+      const Problem p(map, robot);
+      const GeodesicField& field = p.tether()->geodesics();
+      double most = 0;
+      const auto ask = [&](const Point& q) {
+        if (const double d = field.distance(q); std::isfinite(d)) most = std::max(most, d);
+      };
+      for_each_ring(p.tether()->robot_space(), [&](const Ring& ring) { std::ranges::for_each(ring, ask); });
+      const EdgeIndex walls(p.tether()->robot_space());
+      for (const Polyline& curve : field.cut_locus(1e-3))
+        for (const Point& q : sampled_along(curve, 2e-3))
+          if (walls.contains(q)) ask(q);
+      EXPECT_NEAR(p.tether()->farthest(), most, robot.tool_width / 40 + 1e-3) << kind << ' ' << seed;
+    }
 }
 
 TEST(TetheredProblem, ReachesADiscInTheOpen) {
