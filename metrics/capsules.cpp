@@ -231,7 +231,7 @@ double work_in(const WorkChains& chains, const Box& room) {
   return work;
 }
 
-CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack) {
+CapsuleSet capsules(WorkChains chains, const Box& room, double slack) {
   CapsuleSet set;
   slack = std::max(slack, kStraight);
   std::size_t count = 0;  // millions: counting them costs less than moving them as the list grows
@@ -243,6 +243,7 @@ CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack) {
   Collector collector(room, slack, set);
   for_each_chain(chains,
                  [&](const auto* first, const auto* last, double radius) { collector.add_chain(first, last, radius); });
+  chains = {};  // a large part of the memory, as is what comes now
   merge_repeated(set.all);
   for (const Capsule& k : set.all) set.slack = std::max(set.slack, k.slack);
   return set;

@@ -58,7 +58,7 @@ double work_in(const WorkChains& chains, const Box& room);
 /// The segments of the chains, clipped to `room`. Consecutive segments are merged as long as they and the merged
 /// segment are within `slack` of each other and the path does not turn back (slack below 1e-9 counts as rounding, users
 /// shrink polygons by that). O(n log n).
-CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack);
+CapsuleSet capsules(WorkChains chains, const Box& room, double slack);
 
 /// Directions of the normals of a half disc's n chords: (k + 1/2) / n * 180 degrees from -90 degrees.
 class Chords {

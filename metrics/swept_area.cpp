@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "metrics/tile_scan.hpp"
 
@@ -94,11 +95,9 @@ Scan scanned(const Ground& g, TileDetails* details) {
   const double path_m = g.path.length();
   double budget = g.tile_share * g.arcs, slack = kToolRadius * g.arcs * kSlackShare;
   for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
-    {
-      const WorkChains chains = chains_of(g);  // a large part of the memory, not needed while tiles are scanned
-      if (attempt == 0) check_size(g, scan.work = work_in(chains, g.room));
-      scan.set = capsules(chains, g.room, slack);
-    }
+    WorkChains chains = chains_of(g);
+    if (attempt == 0) check_size(g, scan.work = work_in(chains, g.room));
+    scan.set = capsules(std::move(chains), g.room, slack);
     if (details != nullptr)
       *details = {{path_m, g.wanted}, UncoveredPieces(details->pieces.outlines()), details->swath};
     scan.sums = TileScan(g.target, g.origin, g.side, scan.set, g.margin, details).run(budget);
