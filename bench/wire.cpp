@@ -165,6 +165,13 @@ Trace trace_from(std::string_view in) {
 
 namespace {
 
+/// How many bytes put_region() adds.
+std::size_t size_of(const Region& region) {
+  std::size_t counts = 1;
+  for (const Polygon& polygon : region.polygons) counts += 2 + polygon.holes.size();
+  return counts * sizeof(std::uint64_t) + vertex_count(region) * sizeof(Point);
+}
+
 void put_region(std::string& out, const Region& region) {
   put(out, static_cast<std::uint64_t>(region.polygons.size()));
   for (const Polygon& polygon : region.polygons) {
@@ -176,7 +183,11 @@ void put_region(std::string& out, const Region& region) {
 
 Region take_region(std::string_view& in) {
   Region region;
-  for (auto polygons = take<std::uint64_t>(in); polygons > 0; --polygons) {
+  auto polygons = take<std::uint64_t>(in);
+  if (polygons > in.size() / (2 * sizeof(std::uint64_t)))  // what an empty polygon takes
+    throw std::runtime_error("fewer polygons than announced");
+  region.polygons.reserve(polygons);
+  for (; polygons > 0; --polygons) {
     Polygon polygon;
     polygon.outer = take_points(in);
     for (auto holes = take<std::uint64_t>(in); holes > 0; --holes) polygon.holes.push_back(take_points(in));
@@ -196,6 +207,7 @@ std::optional<Point> take_point(std::string_view& in) {
 
 std::string pack(const Region& region) {
   std::string out;
+  out.reserve(size_of(region));
   put_region(out, region);
   return out;
 }

@@ -87,6 +87,7 @@ double TileTarget::area_in(const std::vector<Convex>& pieces) const {
 }
 
 TargetRows::TargetRows(const Region& region, const Point& origin, double side) {
+  edges_.reserve(vertex_count(region));
   for_each_ring(region, [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = (ring[i] - origin) / side, b = (ring[i + 1 == ring.size() ? 0 : i + 1] - origin) / side;

@@ -107,8 +107,9 @@ std::vector<Cell> coarse_sub_cells(const GridGraph& fine, Components components,
   return cells;
 }
 
-Region squares_of(const GridGraph& graph, const std::vector<Cell>& cells, double tool_width) {
+Region squares_of(const GridGraph& graph, std::vector<Cell> cells, double tool_width) {
   const double half = std::min(kHalf, tool_width / std::sqrt(8) / graph.side());  // in sides
+  if (half == kHalf) std::ranges::sort(cells, {}, [](const Cell& c) { return std::pair(c.j, c.i); });
   Region region;
   for (std::size_t first = 0; first < cells.size();) {
     std::size_t last = first;

@@ -31,8 +31,8 @@ void promise_region(Context& context, Region region);
 
 /// The sub-cells of the free coarse cells.
 std::vector<Cell> coarse_sub_cells(const GridGraph& fine, Components components, const Cell& first);
-/// The squares of these cells. Where they are as large as the cells, those that follow one another in a straight row
-/// are one rectangle: of millions of cells, most of the memory is saved.
-Region squares_of(const GridGraph& graph, const std::vector<Cell>& cells, double tool_width);
+/// The squares of these cells. Where they are as large as the cells, neighbours in a row are one rectangle: of millions
+/// of cells, most of the memory is saved, and half of the time to measure how much of them was covered.
+Region squares_of(const GridGraph& graph, std::vector<Cell> cells, double tool_width);
 
 }  // namespace oxturn

@@ -150,7 +150,8 @@ TEST(Promise, IsTheCellsOfTheDescription) {
   EXPECT_NEAR(promised("rectangles", {{"variant", std::string("published")}}), 11 * 7 * 0.25, kRounding);
 }
 
-// Cells in rows, in columns, backwards, alone and round corners: one square each, whatever rows they make.
+// Cells in rows, in columns, backwards, alone and round corners: one square each, whatever rows they make, and in
+// whatever order they come.
 TEST(Promise, SquaresInARowAreOneRectangle) {
   const Problem room({"room", box_region({0, 0}, {9, 9}), "test", ""}, Robot{}, Point(1, 1));
   const GridGraph graph = make_grid_graph(room, {.side = 0.3, .margin = 1});
@@ -171,6 +172,9 @@ TEST(Promise, SquaresInARowAreOneRectangle) {
       const double side = std::min(0.3, tool / std::sqrt(2));
       EXPECT_NEAR(area(region), static_cast<double>(cells.size()) * side * side, 1e-6);
       if (tool > 0.4) { EXPECT_LT(region.polygons.size(), cells.size()); }
+      std::vector<Cell> shuffled = cells;
+      rng.shuffle(shuffled);
+      if (tool > 0.4) { EXPECT_EQ(squares_of(graph, shuffled, tool).polygons.size(), region.polygons.size()); }
       const EdgeIndex index(region);
       for (std::size_t node = 0; node < graph.size(); ++node)
         EXPECT_EQ(index.contains(graph.centre(node)), taken[node]) << node;

@@ -63,6 +63,37 @@ TEST(Wire, PathsOfManyLegsOfAnyLength) {
   }
 }
 
+TEST(Wire, RegionsKeepTheirHoles) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Rng rng(seed);
+    const auto ring = [&rng] {
+      Ring points;
+      for (int i = rng.between(0, 5); i > 0; --i) points.emplace_back(rng.unit(), rng.unit());
+      return points;
+    };
+    Region sent;
+    for (int k = rng.between(0, 8); k > 0; --k) {
+      sent.polygons.push_back({ring(), {}});
+      for (int h = rng.between(0, 3); h > 0; --h) sent.polygons.back().holes.push_back(ring());
+    }
+    const std::string bytes = wire::pack(sent);
+    const Region received = wire::region_from(bytes);
+    ASSERT_EQ(received.polygons.size(), sent.polygons.size());
+    for (std::size_t k = 0; k < sent.polygons.size(); ++k) {
+      EXPECT_EQ(received.polygons[k].outer, sent.polygons[k].outer);
+      EXPECT_EQ(received.polygons[k].holes, sent.polygons[k].holes);
+    }
+    EXPECT_THROW(wire::region_from(std::string_view(bytes).substr(0, bytes.size() - 1)), std::runtime_error);
+  }
+}
+
+// No memory is reserved for more than the message can hold.
+TEST(Wire, MorePolygonsThanBytes) {
+  std::string bytes;
+  wire::put(bytes, std::uint64_t{1} << 60);
+  EXPECT_THROW(wire::region_from(bytes), std::runtime_error);
+}
+
 TEST(Wire, NobodyReadsThePath) {
   wire::Pipe pipe = wire::make_pipe();
   pipe.read.close();
