@@ -49,6 +49,7 @@ std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, cons
 /// meet. Distances grow by no more than points move, so most vertices of a ring need not be asked for theirs.
 double farthest_in(const Region& space, const GeodesicField& field, double chord) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity(), kRounding = 1e-9;  // relative
+  constexpr double kMostSteps = 1e6;  // of a segment: tools may be as thin as rounding
   double most = 0;
   for_each_ring(space, [&](const Ring& ring) {
     double bound = kInfinity;
@@ -64,9 +65,10 @@ double farthest_in(const Region& space, const GeodesicField& field, double chord
   const EdgeIndex walls(space);
   for (const Polyline& curve : curves)
     for (std::size_t i = 1; i < curve.size(); ++i) {
-      const double n = std::max(1.0, std::ceil(distance(curve[i - 1], curve[i]) / (5 * chord)));
-      for (double k = 0; k <= n; ++k)
-        if (const Point p = lerp(curve[i - 1], curve[i], k / n); walls.contains(p))
+      const double steps = std::ceil(distance(curve[i - 1], curve[i]) / (5 * chord));
+      const int n = static_cast<int>(std::clamp(steps, 1.0, kMostSteps));
+      for (int k = 0; k <= n; ++k)
+        if (const Point p = lerp(curve[i - 1], curve[i], double(k) / n); walls.contains(p))
           if (const double d = field.distance(p); std::isfinite(d)) most = std::max(most, d);
     }
   return most;

@@ -273,8 +273,8 @@ std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_erro
   return out;
 }
 
-/// The distance is convex where one root's paths are shortest, so it is largest at a vertex of the mesh or at the end of
-/// a piece of the cut locus.
+/// The distance is convex where one root's paths are shortest, so it is largest at a vertex of the mesh or at the
+/// end of a piece of the cut locus.
 double farthest_of(const GeodesicCones& cones) {
   double most = 0;
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones.mesh().triangles().size()); ++t)

@@ -29,8 +29,8 @@ Map hall_with_pillar() {
 Polyline sampled_along(const Polyline& line, double step) {
   Polyline points{line.front()};
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const double n = std::ceil(distance(line[i - 1], line[i]) / step);
-    for (double k = 1; k <= n; ++k) points.push_back(lerp(line[i - 1], line[i], k / n));
+    const int n = static_cast<int>(std::ceil(distance(line[i - 1], line[i]) / step));
+    for (int k = 1; k <= n; ++k) points.push_back(lerp(line[i - 1], line[i], double(k) / n));
   }
   return points;
 }
