@@ -173,6 +173,7 @@ std::size_t size_of(const Region& region) {
 }
 
 void put_region(std::string& out, const Region& region) {
+  out.reserve(out.size() + size_of(region));
   put(out, static_cast<std::uint64_t>(region.polygons.size()));
   for (const Polygon& polygon : region.polygons) {
     put_points(out, polygon.outer);
@@ -207,7 +208,6 @@ std::optional<Point> take_point(std::string_view& in) {
 
 std::string pack(const Region& region) {
   std::string out;
-  out.reserve(size_of(region));
   put_region(out, region);
   return out;
 }

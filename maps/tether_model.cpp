@@ -45,14 +45,13 @@ std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, cons
   return gaps;
 }
 
-/// The largest geodesic distance within `space`: it is taken at a vertex, or where two shortest paths round an obstacle
-/// meet. Distances grow by no more than points move, so most vertices of a ring need not be asked for theirs.
-double farthest_in(const Region& space, const GeodesicField& field, double chord) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity(), kRounding = 1e-9;  // relative
-  constexpr double kMostSteps = 1e6;  // of a segment: tools may be as thin as rounding
+/// The largest geodesic distance of a vertex. Distances grow by no more than points move, so most vertices of a ring
+/// need not be asked for theirs.
+double farthest_vertex(const Region& space, const GeodesicField& field) {
+  constexpr double kRounding = 1e-9;  // relative
   double most = 0;
   for_each_ring(space, [&](const Ring& ring) {
-    double bound = kInfinity;
+    double bound = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < ring.size(); ++i) {
       if (i > 0) bound += distance(ring[i - 1], ring[i]);
       if (bound * (1 + kRounding) < most) continue;
@@ -60,6 +59,14 @@ double farthest_in(const Region& space, const GeodesicField& field, double chord
       if (std::isfinite(bound)) most = std::max(most, bound);
     }
   });
+  return most;
+}
+
+/// The largest geodesic distance within `space`: it is taken at a vertex, or where two shortest paths round an obstacle
+/// meet.
+double farthest_in(const Region& space, const GeodesicField& field, double chord) {
+  constexpr double kMostSteps = 1e6;  // of a segment: tools may be as thin as rounding
+  double most = farthest_vertex(space, field);
   const std::vector<Polyline> curves = field.cut_locus(chord, most);
   if (curves.empty()) return most;
   const EdgeIndex walls(space);

@@ -64,8 +64,6 @@ Ground ground_of(const Region& target, double target_excess, double width, const
           1e-9 + 1e-15 * size.maxCoeff()};
 }
 
-WorkChains chains_of(const Ground& g) { return work_chains(g.path, g.origin, g.side, g.joint); }
-
 /// Says so rather than scan without an end. `work`: length times width, tiles.
 void check_size(const Ground& g, double work) {
   const double rows = bounding_box(g.target).size().y() / g.side;
@@ -92,14 +90,14 @@ struct Scan {
 /// replace `details`, unless they are nullptr.
 Scan scanned(const Ground& g, TileDetails* details) {
   Scan scan;
-  const double path_m = g.path.length();
   double budget = g.tile_share * g.arcs, slack = kToolRadius * g.arcs * kSlackShare;
   for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
-    WorkChains chains = chains_of(g);
-    if (attempt == 0) check_size(g, scan.work = work_in(chains, g.room));
+    WorkChains chains = work_chains(g.path, g.origin, g.side, g.joint);
+    scan.work = work_in(chains, g.room);
+    check_size(g, scan.work);
     scan.set = capsules(std::move(chains), g.room, slack);
     if (details != nullptr)
-      *details = {{path_m, g.wanted}, UncoveredPieces(details->pieces.outlines()), details->swath};
+      *details = {{g.path.length(), g.wanted}, UncoveredPieces(details->pieces.outlines()), details->swath};
     scan.sums = TileScan(g.target, g.origin, g.side, scan.set, g.margin, details).run(budget);
     if (scan.sums.missed_most - scan.sums.missed_least <= 0.9 * g.arcs * g.wanted) break;
   }

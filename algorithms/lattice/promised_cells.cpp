@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace oxturn {
@@ -26,12 +25,10 @@ std::vector<Cell> reached_from(const GridGraph& graph, const Cell& start, Next n
   return cells;
 }
 
-/// The last of the cells that follow one another in a straight row, from the one with number `first` on.
+/// The last cell of a row without gaps, from the one with number `first` on. `cells`: row by row.
 std::size_t end_of_row(const std::vector<Cell>& cells, std::size_t first) {
-  const auto step = [&](std::size_t k) { return std::pair(cells[k + 1].i - cells[k].i, cells[k + 1].j - cells[k].j); };
   std::size_t last = first;
-  if (first + 1 == cells.size() || std::abs(step(first).first) + std::abs(step(first).second) != 1) return last;
-  while (last + 1 < cells.size() && step(last) == step(first)) ++last;
+  while (last + 1 < cells.size() && cells[last + 1] == neighbour(cells[last], kEast)) ++last;
   return last;
 }
 
@@ -109,15 +106,14 @@ std::vector<Cell> coarse_sub_cells(const GridGraph& fine, Components components,
 
 Region squares_of(const GridGraph& graph, std::vector<Cell> cells, double tool_width) {
   const double half = std::min(kHalf, tool_width / std::sqrt(8) / graph.side());  // in sides
-  if (half == kHalf) std::ranges::sort(cells, {}, [](const Cell& c) { return std::pair(c.j, c.i); });
+  const bool in_rows = half == kHalf;
+  if (in_rows) std::ranges::sort(cells, {}, [&](const Cell& c) { return graph.at(c); });
   Region region;
   for (std::size_t first = 0; first < cells.size();) {
-    std::size_t last = first;
-    if (half == kHalf) last = end_of_row(cells, first);
-    const auto [left, right] = std::minmax(cells[first].i, cells[last].i);
-    const auto [bottom, top] = std::minmax(cells[first].j, cells[last].j);
-    region.polygons.push_back({{graph.centre(left - half, bottom - half), graph.centre(right + half, bottom - half),
-                                graph.centre(right + half, top + half), graph.centre(left - half, top + half)},
+    const std::size_t last = in_rows ? end_of_row(cells, first) : first;
+    const Cell &a = cells[first], &b = cells[last];
+    region.polygons.push_back({{graph.centre(a.i - half, a.j - half), graph.centre(b.i + half, a.j - half),
+                                graph.centre(b.i + half, a.j + half), graph.centre(a.i - half, a.j + half)},
                                {}});
     first = last + 1;
   }

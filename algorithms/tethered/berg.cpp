@@ -341,11 +341,10 @@ Path plan(const Params& p, const Problem& whole, Context& context) {
                     "take a planner without",
                     robot.name));
   const Problem problem = p.trim == Trim::geodesic ? whole.restricted(coarser_space(whole)) : whole;
-  BergBoundary boundary(problem.map().free, problem.map_edges(), problem.tether()->closed_gaps(),
-                        beside_closed_gaps(problem), robot.tether->length, problem.tolerance());
+  const BergBoundary boundary(problem.map().free, problem.map_edges(), problem.tether()->closed_gaps(),
+                              beside_closed_gaps(problem), robot.tether->length, problem.tolerance());
   const BergTree::Laps laps = laps_for(p, problem);
   const BergTree tree = tree_of(boundary, laps, problem, context);
-  boundary.forget_sight();
   if (context.wants_traces()) trace(boundary, tree, context);
   if (tree.roots().empty()) {
     if (context.cancelled()) return {};

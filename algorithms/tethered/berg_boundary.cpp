@@ -82,8 +82,8 @@ class BergBoundary::NodeSearch {
       : b_(boundary),
         longest_(longest),
         visibility_(std::move(mesh)),
-        corners_at_(b_.sight_->corners_at_points(visibility_.mesh())),
-        looks_(b_.sight_->corners().size()) {}
+        corners_at_(b_.sight_.corners_at_points(visibility_.mesh())),
+        looks_(b_.sight_.corners().size()) {}
 
   void run() {
     look_round(0);
@@ -93,7 +93,7 @@ class BergBoundary::NodeSearch {
       Look& look = looks_[k];
       if (look.done || length > look.length) continue;
       look.done = true;
-      const BergSight::Corner& corner = b_.sight_->corners()[k];
+      const BergSight::Corner& corner = b_.sight_.corners()[k];
       const HiddenSide side = hidden_side(b_.nodes_[look.node].at, corner);
       if (side == HiddenSide::none) continue;
       b_.add_node(corner, side, look.node, length);
@@ -122,7 +122,7 @@ class BergBoundary::NodeSearch {
     }
     sort_unique(candidates_);
     for (const std::uint32_t k : candidates_) {
-      const BergSight::Corner& corner = b_.sight_->corners()[k];
+      const BergSight::Corner& corner = b_.sight_.corners()[k];
       if (looks_[k].done || !BergSight::open_towards(corner, node.at)) continue;
       const double length = node.before + distance(node.at, corner.at);
       // Of two paths that differ by rounding alone the straighter one, which was found first, stays.
@@ -156,7 +156,7 @@ class BergBoundary::NodeSearch {
 
 BergBoundary::BergBoundary(const Region& free, const EdgeIndex& walls, const std::vector<Polyline>& barriers,
                            const Point& anchor, double longest, double tolerance)
-    : tolerance_(tolerance), sight_(std::in_place, free, walls, barriers, tolerance) {
+    : tolerance_(tolerance), sight_(free, walls, barriers, tolerance) {
   nodes_.emplace_back().at = off_the_wall(anchor, walls, tolerance);
   NodeSearch(*this, Mesh(free, barriers), longest).run();
   add_children_events();
@@ -169,7 +169,7 @@ BergBoundary::BergBoundary(const Region& free, const EdgeIndex& walls, const std
 /// from everywhere where that is.
 bool BergBoundary::sees_corner(const Point& eye, const BergSight::Corner& corner, const View& view) const {
   if (!corner.shares_point && std::ranges::binary_search(view.vertices, corner.at, before)) return true;
-  return !is_behind(view.polygon, eye, corner.at, tolerance_) && sight_->sees(eye, corner.at);
+  return !is_behind(view.polygon, eye, corner.at, tolerance_) && sight_.sees(eye, corner.at);
 }
 
 /// Closed, exact.
@@ -246,10 +246,10 @@ void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>&
     const double rho = distance(node.at, foot);
     if (rho > 0 && nearly_in_sector(node, foot))
       offer(foot, HiddenSide::none,
-            [&] { return sight_->sees(node.at, lerp(foot, node.at, std::min(1.0, tolerance_ / rho))); });
+            [&] { return sight_.sees(node.at, lerp(foot, node.at, std::min(1.0, tolerance_ / rho))); });
   };
   for (const std::uint32_t k : corners) {
-    const BergSight::Corner& c = sight_->corners()[k];
+    const BergSight::Corner& c = sight_.corners()[k];
     // Does the wall come nearer to the node from the corner towards its neighbour?
     const bool nearer_at_next = (c.next - c.at).dot(node.at - c.at) > 0;
     const bool nearer_at_previous = (c.previous - c.at).dot(node.at - c.at) > 0;
@@ -346,12 +346,6 @@ void BergBoundary::drop_repeated_dividers() {
       if (e.is_divider) e.index = *number[e.index];
   }
   dividers_ = std::move(kept);
-}
-
-void BergBoundary::forget_sight() {
-  sight_.reset();
-  events_ = {};
-  for (BergNode& node : nodes_) node.range = {};
 }
 
 double BergBoundary::farthest() const {

@@ -91,10 +91,6 @@ class BergBoundary {
   /// O(nodes + dividers); boundaries one after the other cost less by berg_sweep.hpp.
   std::vector<Piece> at(double length, double spacing) const;
 
-  /// Gives back what only boundaries are computed from, a fifth of berg's memory: no more at() or sweeps from now on.
-  /// Nodes (without `range`) and dividers stay.
-  void forget_sight();
-
  private:
   /// What one meets while the direction of sight from a node turns counter-clockwise through its sector.
   struct Event {
@@ -129,7 +125,7 @@ class BergBoundary {
   void drop_repeated_dividers();
 
   double tolerance_;
-  std::optional<BergSight> sight_;
+  BergSight sight_;
   std::vector<BergNode> nodes_;
   std::vector<BergDivider> dividers_;
   std::vector<std::vector<Event>> events_;  // by node

@@ -134,7 +134,7 @@ double BergNodeSamples::look_at(double k, Walk& walk) {
   const Point p = node_.at + radius_ * towards;
   walk.driven = is_driven(p);
   if (walk.driven) {
-    if (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_->sees(node_.at, p))) return k;
+    if (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_.sees(node_.at, p))) return k;
     add(p);
   }
   if (walk.previous < 0 || walk.previous < k - 1) kept_.push_back({k, k});

@@ -74,7 +74,7 @@ class GeodesicField {
   /// of hyperbolas as polylines, with an error of at most `chord_error` metres; one polyline lies in one triangle. They
   /// connect each hole of free space (with barriers) to another or to the outer boundary, and meet in common points;
   /// ends on walls are accurate to 1e-6 of the map's extent. Throws std::invalid_argument unless the error is positive.
-  /// With `beyond`, those pieces alone that have a point farther than that.
+  /// `beyond`: only pieces with a point that is farther from the anchor than so many metres.
   std::vector<Polyline> cut_locus(double chord_error, double beyond = 0) const;
 
  private:

@@ -5,6 +5,7 @@
 
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/point_grid.hpp"
 #include "maps/generators.hpp"
 #include "maps/problem.hpp"
 #include "tests/support/maps.hpp"
@@ -60,21 +61,17 @@ TEST(TetheredProblem, TheCutStaysOnTheMap) {
 
 /// Those of the cut's ends that are neither on a wall nor at another piece's end.
 std::vector<Point> loose_ends(const std::vector<Polyline>& cut, const EdgeIndex& walls, double close) {
-  std::vector<std::pair<Point, std::size_t>> ends;  // with their piece
-  for (std::size_t k = 0; k < cut.size(); ++k)
-    for (const Point& end : {cut[k].front(), cut[k].back()}) ends.push_back({end, k});
-  std::ranges::sort(ends, before, [](const auto& end) { return end.first; });
+  std::vector<Point> ends;  // 2 k and 2 k + 1 are those of piece k
+  for (const Polyline& piece : cut) ends.insert(ends.end(), {piece.front(), piece.back()});
+  const PointGrid grid(ends);
   std::vector<Point> loose;
   for (std::size_t k = 0; k < ends.size(); ++k) {
-    const auto& [end, piece] = ends[k];
-    bool joined = walls.nearest(end, close).has_value();
-    const auto try_end = [&](std::size_t o) {
-      joined = joined || (ends[o].second != piece && distance(ends[o].first, end) < close);
-      return !joined && std::abs(ends[o].first.x() - end.x()) < close;
-    };
-    for (std::size_t o = k; o > 0 && try_end(o - 1);) --o;
-    for (std::size_t o = k; o + 1 < ends.size() && try_end(o + 1);) ++o;
-    if (!joined) loose.push_back(end);
+    bool joined = walls.nearest(ends[k], close).has_value();
+    grid.visit(ends[k], [&](std::size_t other, double away) {
+      joined = joined || (away < close && other / 2 != k / 2);
+      return !joined && away < close;
+    });
+    if (!joined) loose.push_back(ends[k]);
   }
   return loose;
 }
