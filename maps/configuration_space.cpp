@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/edge_index.hpp"
+#include "geometry/mesh/mesh.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/minkowski.hpp"
 #include "geometry/overlay/offset.hpp"
@@ -16,6 +17,8 @@
 
 namespace oxturn {
 namespace {
+
+constexpr std::size_t kWorthIndex = 32;  // an index costs as much as some dozen scans
 
 /// Distance of p from a closed polygon. By a scan: a single query does not pay for an EdgeIndex.
 double distance_to(const Polygon& polygon, const Point& p) {
@@ -86,19 +89,24 @@ Point nearest_point_inside(const Region& all, const Point& p, double tool_width)
   return nearest;
 }
 
-DefaultStart find_default_start(const Region& all) {
-  const Polygon& largest = *std::ranges::max_element(all.polygons, {}, [](const Polygon& p) { return area(p); });
-  Mesh mesh(Region{{largest}});
+Point find_default_start(const Region& all, const Region& around) {
+  const Region component{{*std::ranges::max_element(all.polygons, {}, [](const Polygon& p) { return area(p); })}};
+  std::size_t asked = 0;
+  std::optional<EdgeIndex> edges;
+  const auto holds = [&](const Point& p) {
+    if (++asked == kWorthIndex) edges.emplace(component);
+    return edges ? edges->contains(p) : contains(component, p);
+  };
+  if (const auto start = Mesh(around).roomiest_point(holds)) return *start;
   // A component thinner than any triangle is all boundary.
-  const Point middle = mesh.middle_of_largest_triangle().value_or(largest.outer.front());
-  return {middle, &largest, std::move(mesh)};
+  return Mesh(component).roomiest_point().value_or(component.polygons[0].outer.front());
 }
 
 std::optional<Point> start_in_target_area(const Region& all, const Region& target_area, double tool_width) {
   Region near = intersect(all, target_area);
   if (near.empty()) near = intersect(all, dilate(target_area, tool_width / 2, tool_width / 1000, Bound::inside));
   if (near.empty()) return std::nullopt;
-  return find_default_start(near).point;
+  return find_default_start(near, target_area);
 }
 
 }  // namespace oxturn

@@ -6,7 +6,6 @@
 
 #include <optional>
 
-#include "geometry/mesh/mesh.hpp"
 #include "maps/map.hpp"
 #include "maps/robot.hpp"
 
@@ -26,14 +25,10 @@ bool holds(const Region& region, const Point& p, double tolerance);
 /// again.
 Point nearest_point_inside(const Region& all, const Point& p, double tool_width);
 
-/// Where a robot starts by default: the centroid of the largest triangle of the largest component (the first of
-/// equals).
-struct DefaultStart {
-  Point point;
-  const Polygon* component;
-  Mesh mesh;  // of the component
-};
-DefaultStart find_default_start(const Region& all);
+/// Where a robot starts by default: at the roomiest point of `around` (Mesh::roomiest_point) that lies in the largest
+/// component (the first of equals), or at the component's own if none does. `around` is free space or the target area: it
+/// has no arcs, so its triangulation takes a tenth of the time of that of the component.
+Point find_default_start(const Region& all, const Region& around);
 /// The same with a target area: within it, if the robot fits there, else within half a tool's width of it. None if that
 /// is out of reach.
 std::optional<Point> start_in_target_area(const Region& all, const Region& target_area, double tool_width);

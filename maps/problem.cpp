@@ -147,7 +147,6 @@ struct Problem::Impl {
   Robot robot;
   mutable std::once_flag transit_once, walls_once, work_once;
   mutable Region work;               // with a target area
-  mutable std::optional<Mesh> mesh;  // of the space, if the search for a start made it; shortest paths take it
   mutable std::unique_ptr<const ShortestPaths> transit;
   mutable std::unique_ptr<const EdgeIndex> walls;
   std::shared_ptr<const Impl> transit_of;  // the problem whose shortest paths it shares, if they are not its own
@@ -201,13 +200,11 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   const Region all = eroded(map, map.free, robot);
   const auto basis = std::make_shared<ProblemBasis>();
   basis->tolerance = tolerance_of(map.free, robot);
-  std::optional<DefaultStart> found;
   if (!start && !(robot.tether && anchor)) {
     if (starts_in_target(map)) start = start_in_target_area(all, *map.target_area, robot.tool_width);
-    if (!start) found = find_default_start(all);
+    if (!start) start = find_default_start(all, map.free);
   }
   basis->start = start                    ? *start
-                 : found                  ? found->point
                  : holds(all, *anchor, 0) ? *anchor
                                           : nearest_point_inside(all, *anchor, robot.tool_width);
   const Polygon* component = component_at(all, basis->start, basis->tolerance);
@@ -219,9 +216,7 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   basis->map = std::move(map);
   basis->robot = std::move(robot);
   if (basis->robot.tether) attach_tether(*basis);
-  const bool meshed = found && found->component == component && !limited_by_tether(*basis);
   impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start, basis->robot);
-  if (meshed) impl_->mesh = std::move(found->mesh);
   if (this->map().target_area && target().empty())
     throw_invalid("target area of map '{}' is out of reach: robot '{}' ({}) covers none of it from the start {}",
                   this->map().name, this->robot().name, size_text(this->robot()), to_text(this->start()));
@@ -253,9 +248,7 @@ const EdgeIndex& Problem::map_edges() const { return impl_->basis->map_edges(); 
 const ShortestPaths& Problem::transit() const {
   if (impl_->transit_of) return Problem(impl_->transit_of).transit();
   std::call_once(impl_->transit_once, [this] {
-    Mesh mesh = impl_->mesh ? std::move(*impl_->mesh) : Mesh(*impl_->space);
-    impl_->mesh.reset();
-    impl_->transit = std::make_unique<const ShortestPaths>(std::move(mesh), tolerance());
+    impl_->transit = std::make_unique<const ShortestPaths>(Mesh(*impl_->space), tolerance());
   });
   return *impl_->transit;
 }
@@ -302,10 +295,10 @@ std::string Problem::content_hash() const {
 
 Point default_start(const Map& map, const Robot& robot) {
   check(robot);
-  const Region all = eroded(map, repaired_or_named(map), robot);
+  const Region free = repaired_or_named(map), all = eroded(map, free, robot);
   std::optional<Point> start;
   if (starts_in_target(map)) start = start_in_target_area(all, repaired_target_area(map), robot.tool_width);
-  return start ? *start : find_default_start(all).point;
+  return start ? *start : find_default_start(all, free);
 }
 
 }  // namespace oxturn

@@ -84,9 +84,9 @@ class Problem {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// Where a robot starts by default: the centroid of the largest triangle (of a constrained Delaunay triangulation) of
-/// the largest component of configuration space; with a target area that is no drawing, of what lies within that, if
-/// the robot fits there. Always well inside, always the same.
+/// Where a robot starts by default: at the roomiest point (Mesh::roomiest_point) of free space, or of a target area
+/// that is no drawing if the robot fits there, of those in the largest component of configuration space. Well inside,
+/// always the same.
 Point default_start(const Map& map, const Robot& robot);
 
 }  // namespace oxturn

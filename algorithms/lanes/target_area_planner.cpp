@@ -8,7 +8,7 @@
 //                detours of a planner that promises the target cover it. If it finds nothing in any of them, its
 //                reason is the answer.
 //             4. Components start at the vertex that the robot reaches first; for planners on a lattice, whose cells
-//                are counted from the start, in the middle of their largest triangle.
+//                are counted from the start, at their roomiest point.
 #include "algorithms/target_area_planner.hpp"
 
 #include <fmt/format.h>
@@ -82,7 +82,7 @@ class TargetAreaRun {
     if (const EdgeIndex part(Region{{parts_[k]}}); part.contains(problem_.start()))
       add(problem_.start());
     else if (promise_ == Promise::cells)
-      add(Mesh(Region{{parts_[k]}}).middle_of_largest_triangle().value_or(parts_[k].outer.front()));
+      add(Mesh(Region{{parts_[k]}}).roomiest_point().value_or(parts_[k].outer.front()));
     else
       std::ranges::for_each(parts_[k].outer, add);
   }

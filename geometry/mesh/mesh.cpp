@@ -57,17 +57,30 @@ void Mesh::locate_all(const Point& p, std::vector<std::int32_t>& found) const {
   }
 }
 
-std::optional<Point> Mesh::middle_of_largest_triangle() const {
-  std::optional<Point> middle;
-  double widest = -1;
-  for (std::int32_t t = 0; t < static_cast<std::int32_t>(triangles_.size()); ++t) {
+std::optional<Point> Mesh::roomiest_point(const std::function<bool(const Point&)>& accepted) const {
+  struct Incircle {
+    double radius;
+    std::int32_t triangle;
+    bool operator<(const Incircle& o) const { return radius != o.radius ? radius < o.radius : triangle > o.triangle; }
+  };
+  const auto sides = [this](std::int32_t t) {  // opposite to the vertices
     const Point &a = vertex(t, 0), &b = vertex(t, 1), &c = vertex(t, 2);
-    if (const double twice_area = cross(b - a, c - a); twice_area > widest) {
-      widest = twice_area;
-      middle = (a + b + c) / 3;
-    }
+    return Eigen::Vector3d(distance(b, c), distance(c, a), distance(a, b));
+  };
+  std::vector<Incircle> waiting;  // a heap, because few are looked at
+  waiting.reserve(triangles_.size());
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(triangles_.size()); ++t) {
+    const double twice_area = cross(vertex(t, 1) - vertex(t, 0), vertex(t, 2) - vertex(t, 0));
+    waiting.push_back({twice_area / sides(t).sum(), t});
   }
-  return middle;
+  for (std::make_heap(waiting.begin(), waiting.end()); !waiting.empty(); waiting.pop_back()) {
+    std::pop_heap(waiting.begin(), waiting.end());
+    const std::int32_t t = waiting.back().triangle;
+    const Eigen::Vector3d side = sides(t);
+    const Point centre = (side[0] * vertex(t, 0) + side[1] * vertex(t, 1) + side[2] * vertex(t, 2)) / side.sum();
+    if (!accepted || accepted(centre)) return centre;
+  }
+  return std::nullopt;
 }
 
 Point Mesh::nearest_in(std::int32_t t, const Point& p) const {

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "geometry/region.hpp"
@@ -70,8 +71,10 @@ class Mesh {
   /// ascending order. False if p is farther outside. The search begins at what `found` holds: that of a point near by
   /// makes it short.
   bool move_inside(Point& p, double tolerance, std::vector<std::int32_t>& found) const;
-  /// The centroid of the largest triangle, the first of those of equal area; none without triangles.
-  std::optional<Point> middle_of_largest_triangle() const;
+  /// Where there is room: the centre of the largest circle inscribed in a triangle, of the centres that are accepted
+  /// (without a condition: all); of equal circles the first triangle's. No wall is nearer than the circle's radius.
+  /// O(n + k log n) for k centres refused.
+  std::optional<Point> roomiest_point(const std::function<bool(const Point&)>& accepted = {}) const;
   /// The point of the triangle nearest to p.
   Point nearest_in(std::int32_t triangle, const Point& p) const;
 

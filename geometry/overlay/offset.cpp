@@ -66,7 +66,7 @@ class OffsetCurve {
       const double bend = walk.bend[i], ahead = walk.along[last].dot(walk.along[i]);
       const bool detour_here = after_detour || before_detour;
       const double turn = detour_here || bend > 0 ? 0 : bend < 0 ? math::atan2(-bend, ahead) : ahead < 0 ? kPi : 0;
-      if (turn > 0 && is_mitre(turn)) {
+      if (turn > 0 && arcs_ == Arcs::tangents) {  // the shifted edges are its first and last tangents
         add_arc(curve, ring[i++], walk.normal(last), turn);
         continue;
       }
@@ -96,8 +96,6 @@ class OffsetCurve {
 
   static LatticePoint moved(const LatticePoint& p, const Point& by) { return rounded(p.x + by.x(), p.y + by.y()); }
   int steps_of(double angle) const { return std::max(1, static_cast<int>(std::ceil(angle / (2 * half_step_) - 1e-9))); }
-  /// Does one tangent make the arc? Its ends lie on the shifted edges then, which meet in the tangents' vertex.
-  bool is_mitre(double angle) const { return arcs_ == Arcs::tangents && steps_of(angle) == 1; }
   /// The points of an arc between its two ends; `from` is the direction of its first end.
   void add_arc(std::vector<LatticePoint>& out, const LatticePoint& centre, const Point& from, double angle) const {
     const int steps = steps_of(angle);
