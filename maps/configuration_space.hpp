@@ -26,8 +26,8 @@ bool holds(const Region& region, const Point& p, double tolerance);
 Point nearest_point_inside(const Region& all, const Point& p, double tool_width);
 
 /// Where a robot starts by default: at the roomiest point of `around` (Mesh::roomiest_point) that lies in the largest
-/// component (the first of equals), or at the component's own if none does. `around` is free space or the target area: it
-/// has no arcs, so its triangulation takes a tenth of the time of that of the component.
+/// component (the first of equals), or at the component's own if none does. `around` is free space or the target area:
+/// it has no arcs, so its triangulation takes a tenth of the time of the component's.
 Point find_default_start(const Region& all, const Region& around);
 /// The same with a target area: within it, if the robot fits there, else within half a tool's width of it. None if that
 /// is out of reach.

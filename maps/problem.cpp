@@ -146,7 +146,7 @@ struct Problem::Impl {
   Point start;
   Robot robot;
   mutable std::once_flag transit_once, walls_once, work_once;
-  mutable Region work;               // with a target area
+  mutable Region work;  // with a target area
   mutable std::unique_ptr<const ShortestPaths> transit;
   mutable std::unique_ptr<const EdgeIndex> walls;
   std::shared_ptr<const Impl> transit_of;  // the problem whose shortest paths it shares, if they are not its own
@@ -247,9 +247,8 @@ const EdgeIndex& Problem::map_edges() const { return impl_->basis->map_edges(); 
 
 const ShortestPaths& Problem::transit() const {
   if (impl_->transit_of) return Problem(impl_->transit_of).transit();
-  std::call_once(impl_->transit_once, [this] {
-    impl_->transit = std::make_unique<const ShortestPaths>(Mesh(*impl_->space), tolerance());
-  });
+  std::call_once(impl_->transit_once,
+                 [this] { impl_->transit = std::make_unique<const ShortestPaths>(Mesh(*impl_->space), tolerance()); });
   return *impl_->transit;
 }
 

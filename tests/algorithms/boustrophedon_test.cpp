@@ -125,7 +125,7 @@ TEST(Boustrophedon, CorridorsWhereOnlyTheWallsAreDriven) {
     Ring hole = box_region({width, width}, {5 - width, 4 - width}).polygons[0].outer;
     std::reverse(hole.begin(), hole.end());
     frame.polygons[0].holes.push_back(hole);
-    expect_complete(Problem(Map{"ring", frame, "", ""}, disc(0.2, 0.4)));
+    expect_complete(Problem(Map{"ring", frame, "", ""}, disc(0.2, 0.4), Point(2.5, width / 2)));
   }
 }
 

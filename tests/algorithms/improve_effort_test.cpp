@@ -113,12 +113,18 @@ TEST(Improved, FewMovesAreNotMadeWhereAllIsToBeCovered) {
     const Path path = improved(problem, starts, {.coverage = coverage, .moves = moves}, context);
     return std::pair(made, path.length());
   };
-  EXPECT_EQ(with(1, 9), std::pair(0.0, shortest));
-  EXPECT_EQ(plan("shortest", problem, {{"moves", std::int64_t{1}}}).length(), uncompleted);  // both, however few
+  const auto expect_unmoved = [&](double length) {
+    const auto [made, result] = with(1, 9);
+    EXPECT_EQ(made, 0);
+    EXPECT_DOUBLE_EQ(result, length);
+  };
+  expect_unmoved(shortest);
+  // Both, however few.
+  EXPECT_DOUBLE_EQ(plan("shortest", problem, {{"moves", std::int64_t{1}}}).length(), uncompleted);
   starts.front().complete = true;
-  EXPECT_EQ(with(1, 9), std::pair(0.0, shortest));
+  expect_unmoved(shortest);
   starts.back().complete = true;
-  EXPECT_EQ(with(1, 9), std::pair(0.0, uncompleted));
+  expect_unmoved(uncompleted);
   EXPECT_LT(uncompleted, shortest);
   starts.back().complete = false;
   EXPECT_GT(with(1, 100).first, 90 * squares);

@@ -137,7 +137,7 @@ TEST(SmoothSpiral, CoversEveryFamilyWhole) {
 
 // The other laps follow a boundary with fewer vertices.
 TEST(SmoothSpiral, TheLastLapFollowsAllOfTheBoundary) {
-  const Problem p(generate("clutter", {{"width", 45.0}, {"height", 45.0}}, 2), disc(0.2, 0.4));
+  const Problem p(generate("clutter", {{"width", 54.0}, {"height", 54.0}}, 2), disc(0.2, 0.4));
   const Path path = plan("smooth-spiral", p, {{"repair", false}});
   const Region space = straightened_space(p);
   EXPECT_GT(vertex_count(space), 8192u);

@@ -438,7 +438,8 @@ TEST(BergComplete, LanesBesideACutThatIsNotDrivenLeaveNoStrip) {
 
 // Along corridors laps are shorter and turn less; where they are not chosen, the path is that of the level sets.
 TEST(BergComplete, LapsAreDrivenWhereTheyAreBetter) {
-  const Problem spiral(oxturn::generate("spiral", {{"width", 10.0}, {"height", 7.0}}, 1), tethered_robot(1.1));
+  const Problem spiral(oxturn::generate("spiral", {{"width", 10.0}, {"height", 7.0}}, 1), tethered_robot(1.1),
+                       Point(6.3373, 0.4));
   const Path with = plan("berg-complete", spiral), without = plan("berg-complete", spiral, {{"laps", 0}});
   expect_geodesic(spiral, with);
   EXPECT_GE(score(spiral, with).value("coverage_lower").value_or(0), 0.9995);

@@ -224,8 +224,9 @@ class TestPlanner final : public CoveragePlanner {
     Path path;
     path.legs.emplace_back().tool = true;
     Polyline& points = path.legs[0].points;
-    points.assign(count, start);  // held once: it is to come back through the pipe
-    for (std::size_t i = 1; i < count; i += 2) points[i] += Point(0.5, 0);
+    points.assign(count, start);                        // held once: it is to come back through the pipe
+    const Point away(start.x() < 1.5 ? 0.5 : -0.5, 0);  // in a room three metres wide
+    for (std::size_t i = 1; i < count; i += 2) points[i] += away;
     return path;
   }
 

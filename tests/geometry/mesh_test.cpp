@@ -150,5 +150,38 @@ TEST(Mesh, IsTheSameEveryTime) {
   for (std::size_t i = 0; i < a.triangles().size(); ++i) EXPECT_EQ(a.triangles()[i].vertex, b.triangles()[i].vertex);
 }
 
+/// By the angle bisectors, from half of the angles at two corners.
+Point incentre(const Point& a, const Point& b, const Point& c) {
+  const Point at_a = (b - a).normalized() + (c - a).normalized(), at_b = (a - b).normalized() + (c - b).normalized();
+  return a + at_a * (cross(b - a, at_b) / cross(at_a, at_b));
+}
+
+TEST(Mesh, TheRoomiestPointIsTheCentreOfTheLargestIncircle) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Rng rng(seed);
+    const Region region = seed % 2 ? clutter_box(rng, 8, 6, seed % 4 == 1) : star_region(rng, 20);
+    const Mesh mesh(region);
+    const EdgeIndex walls(region);
+    const double limit = bounding_box(region).centre().x();
+    const auto right = [&](const Point& p) { return p.x() > limit; };
+    double widest = 0, widest_right = 0;
+    for (const Mesh::Triangle& t : mesh.triangles()) {
+      const Point &a = corner(mesh, t, 0), &b = corner(mesh, t, 1), &c = corner(mesh, t, 2);
+      const Point centre = incentre(a, b, c);
+      const double radius = distance_to_segment(centre, a, b);
+      if (radius > 1e-6) EXPECT_GT(walls.nearest(centre)->distance, radius * (1 - 1e-6));
+      widest = std::max(widest, radius);
+      if (right(centre)) widest_right = std::max(widest_right, radius);
+    }
+    const auto clear = [&](const std::optional<Point>& p) { return p ? walls.nearest(*p)->distance : 0; };
+    const auto best = mesh.roomiest_point(), best_right = mesh.roomiest_point(right);
+    EXPECT_GE(clear(best), widest * (1 - 1e-6)) << seed;
+    EXPECT_GE(clear(best_right), widest_right * (1 - 1e-6)) << seed;
+    if (best_right) EXPECT_TRUE(right(*best_right) && walls.contains(*best_right)) << seed;
+    EXPECT_FALSE(mesh.roomiest_point([](const Point&) { return false; }));
+  }
+  EXPECT_FALSE(Mesh(Region{}).roomiest_point());
+}
+
 }  // namespace
 }  // namespace oxturn

@@ -25,6 +25,36 @@ TEST(Offset, BoxGrowsAndShrinksByTheBook) {
   EXPECT_GE(area(erode(box, r, 1e-3, Bound::outside)), 2.5 * 1.5);
 }
 
+/// How many vertices of the region lie on a straight line with their neighbours.
+std::size_t straight_vertices(const Region& region) {
+  std::size_t count = 0;
+  for_each_ring(region, [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point before = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
+      const Point after = ring[(i + 1) % ring.size()] - ring[i];
+      count += std::abs(cross(before, after)) < 1e-4 * before.norm() * after.norm() ? 1 : 0;
+    }
+  });
+  return count;
+}
+
+// An arc's first and last tangents are the shifted edges themselves.
+TEST(Offset, TangentsAddNoVerticesToStraightWalls) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Rng rng(seed);
+    Region map = box_region({0, 0}, {10, 10});
+    const Point turned = rotated({1, 0.3}, rng.between(0, 1));
+    const Ring block{Point(5, 5) + turned, Point(5, 5) + perpendicular(turned), Point(5, 5) - turned,
+                     Point(5, 5) - perpendicular(turned)};
+    map = subtract(map, {{Polygon{block, {}}}});
+    const double error = rng.between(1e-4, 1e-2), half = std::acos(1 / (1 + error / 0.3));
+    const Region in = erode(map, 0.3, error, Bound::inside);
+    EXPECT_EQ(straight_vertices(in), 0u) << seed;
+    EXPECT_NEAR(static_cast<double>(vertex_count(in)), 4 + 4 * std::ceil(kPi / 4 / half), 4) << seed;
+    EXPECT_EQ(straight_vertices(dilate({{Polygon{block, {}}}}, 0.3, error, Bound::outside)), 0u) << seed;
+  }
+}
+
 TEST(Offset, TooNarrowIsEmpty) {
   EXPECT_TRUE(erode(box_region({0, 0}, {5, 0.39}), 0.2, 1e-3, Bound::inside).empty());
   EXPECT_FALSE(erode(box_region({0, 0}, {5, 0.41}), 0.2, 1e-3, Bound::inside).empty());

@@ -8,8 +8,10 @@
 #include <thread>
 
 #include "base/random.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/maps.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -306,6 +308,29 @@ TEST(Problem, DefaultStartIsInsideTheLargestRoom) {
   EXPECT_GT(distance_to_walls(p.configuration_space(), p.start()), 0.1);
   EXPECT_EQ(p.start(), default_start(p.map(), p.robot()));
   EXPECT_EQ(p.anchor(), p.start());
+}
+
+// The hall has the widest circle, but the corridors more area. It is also well inside where the robot barely fits, and
+// where no triangle of free space has its centre in configuration space.
+TEST(Problem, DefaultStartIsInTheLargestComponentWhateverIsWider) {
+  const Region hall = box_region({0, 0}, {4, 4}), corridor = box_region({5, 0}, {45, 1});
+  const Map both{"both", unite({hall, corridor}), "", ""};
+  EXPECT_GT(default_start(both, disc(0.3, 0.6)).x(), 5);
+  EXPECT_LT(default_start(both, disc(0.49, 0.98)).x(), 5);  // the corridor's part is a thin line
+  for (const auto seed : seeds(12))
+    for (const std::string name : {"maze", "cave", "clutter", "rooms", "speckle"}) {
+      const Map map = oxturn::generate(name, {{"width", 12.0}, {"height", 12.0}}, seed);
+      for (const double radius : {0.05, 0.2, 0.35}) {
+        SCOPED_TRACE(map.source + " " + std::to_string(radius));
+        try {
+          const Problem p(map, disc(radius, 2 * radius));
+          EXPECT_TRUE(p.walls().contains(p.start()));
+          EXPECT_GE(distance_to_walls(map.free, p.start()), radius);
+        } catch (const std::invalid_argument& fits_nowhere) {
+          EXPECT_THAT(fits_nowhere.what(), HasSubstr("fits nowhere"));
+        }
+      }
+    }
 }
 
 TEST(Problem, FarFromTheOriginNothingIsLost) {
