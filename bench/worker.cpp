@@ -71,6 +71,12 @@ MapSource source_of(const MapSpec& spec) {
   return {spec.file, spec.generator, generated ? spec.settings : spec.read, spec.seed};
 }
 
+/// What each process would build for itself. Planners for tethered robots take shortest paths from elsewhere.
+void build_shared_parts(const Suite& suite, const Problem& problem) {
+  build_scoring_parts(problem);
+  if (suite.planners.size() > 1 && !problem.robot().tether) problem.transit();
+}
+
 Setting set_up(const Work& work, const SuiteCell& cell) {
   Setting s;
   const MapSpec& spec = work.suite.maps[cell.map];
@@ -90,7 +96,7 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
     const StartAndAnchor located = resolve(*s.map, robot, start, anchor);
     s.problem.emplace(*s.map, robot, located.start, located.anchor);
     s.hash = s.problem->content_hash();
-    build_scoring_parts(*s.problem);
+    build_shared_parts(work.suite, *s.problem);
     s.problem_file = problem_name(s.hash);
     const std::string file = fmt::format("{}/{}", work.options.folder, s.problem_file);
     if (!std::filesystem::exists(file)) write_file(file, to_geojson(*s.problem));
@@ -111,13 +117,13 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
 }
 
 /// What the planner is given: the problem itself, or for one that ignores the tether the same without.
-const Problem& given(const Setting& setting, const PlannerSpec& spec) {
+const Problem& given(const Suite& suite, const Setting& setting, const PlannerSpec& spec) {
   if (!spec.ignore_tether || !setting.problem->robot().tether) return *setting.problem;
   if (!setting.loose) {
     Robot robot = setting.problem->robot();
     robot.tether.reset();
     setting.loose.emplace(*setting.map, robot, setting.problem->start(), setting.problem->anchor());
-    build_scoring_parts(*setting.loose);
+    build_shared_parts(suite, *setting.loose);
   }
   return *setting.loose;
 }
@@ -202,7 +208,7 @@ void run_one(const Work& work, const Setting& setting, std::size_t index, int fd
   const PlannerInfo& planner = work.registry.planners.find(spec.name);
   if (!setting.problem) return end(row, setting.outcome, setting.reason);
   try {
-    const Problem& problem = given(setting, spec);
+    const Problem& problem = given(work.suite, setting, spec);
     const std::string missing = missing_capability(planner, problem);
     if (!missing.empty()) return end(row, Outcome::unsupported, missing);
     IsolationOptions options;
