@@ -169,7 +169,7 @@ TEST(Mesh, TheRoomiestPointIsTheCentreOfTheLargestIncircle) {
       const Point &a = corner(mesh, t, 0), &b = corner(mesh, t, 1), &c = corner(mesh, t, 2);
       const Point centre = incentre(a, b, c);
       const double radius = distance_to_segment(centre, a, b);
-      if (radius > 1e-6) EXPECT_GT(walls.nearest(centre)->distance, radius * (1 - 1e-6));
+      if (radius > 1e-6) { EXPECT_GT(walls.nearest(centre)->distance, radius * (1 - 1e-6)); }
       widest = std::max(widest, radius);
       if (right(centre)) widest_right = std::max(widest_right, radius);
     }
@@ -177,7 +177,7 @@ TEST(Mesh, TheRoomiestPointIsTheCentreOfTheLargestIncircle) {
     const auto best = mesh.roomiest_point(), best_right = mesh.roomiest_point(right);
     EXPECT_GE(clear(best), widest * (1 - 1e-6)) << seed;
     EXPECT_GE(clear(best_right), widest_right * (1 - 1e-6)) << seed;
-    if (best_right) EXPECT_TRUE(right(*best_right) && walls.contains(*best_right)) << seed;
+    if (best_right) { EXPECT_TRUE(right(*best_right) && walls.contains(*best_right)) << seed; }
     EXPECT_FALSE(mesh.roomiest_point([](const Point&) { return false; }));
   }
   EXPECT_FALSE(Mesh(Region{}).roomiest_point());
