@@ -30,6 +30,20 @@ double distance_to(const Polygon& polygon, const Point& p) {
   return contains(region, p) ? 0 : least;
 }
 
+/// In the largest component, at the roomiest point of `around` that lies in it, or at its own.
+Point roomy_start(const Region& all, const Region& around) {
+  const Region component{{*std::ranges::max_element(all.polygons, {}, [](const Polygon& p) { return area(p); })}};
+  std::size_t asked = 0;
+  std::optional<EdgeIndex> edges;
+  const auto fits = [&](const Point& p) {
+    if (++asked == kWorthIndex) edges.emplace(component);
+    return edges ? edges->contains(p) : contains(component, p);
+  };
+  if (const auto start = Mesh(around).roomiest_point(fits)) return *start;
+  // A component thinner than any triangle is all boundary.
+  return Mesh(component).roomiest_point().value_or(component.polygons[0].outer.front());
+}
+
 }  // namespace
 
 std::string size_text(const Robot& robot) {
@@ -89,24 +103,14 @@ Point nearest_point_inside(const Region& all, const Point& p, double tool_width)
   return nearest;
 }
 
-Point find_default_start(const Region& all, const Region& around) {
-  const Region component{{*std::ranges::max_element(all.polygons, {}, [](const Polygon& p) { return area(p); })}};
-  std::size_t asked = 0;
-  std::optional<EdgeIndex> edges;
-  const auto holds = [&](const Point& p) {
-    if (++asked == kWorthIndex) edges.emplace(component);
-    return edges ? edges->contains(p) : contains(component, p);
-  };
-  if (const auto start = Mesh(around).roomiest_point(holds)) return *start;
-  // A component thinner than any triangle is all boundary.
-  return Mesh(component).roomiest_point().value_or(component.polygons[0].outer.front());
-}
-
-std::optional<Point> start_in_target_area(const Region& all, const Region& target_area, double tool_width) {
-  Region near = intersect(all, target_area);
-  if (near.empty()) near = intersect(all, dilate(target_area, tool_width / 2, tool_width / 1000, Bound::inside));
-  if (near.empty()) return std::nullopt;
-  return find_default_start(near, target_area);
+Point find_default_start(const Region& all, const Region& free, const std::optional<Region>& target_area,
+                         double tool_width) {
+  if (target_area) {
+    Region near = intersect(all, *target_area);
+    if (near.empty()) near = intersect(all, dilate(*target_area, tool_width / 2, tool_width / 1000, Bound::inside));
+    if (!near.empty()) return roomy_start(near, *target_area);
+  }
+  return roomy_start(all, free);
 }
 
 }  // namespace oxturn

@@ -25,12 +25,11 @@ bool holds(const Region& region, const Point& p, double tolerance);
 /// again.
 Point nearest_point_inside(const Region& all, const Point& p, double tool_width);
 
-/// Where a robot starts by default: at the roomiest point of `around` (Mesh::roomiest_point) that lies in the largest
-/// component (the first of equals), or at the component's own if none does. `around` is free space or the target area:
-/// it has no arcs, so its triangulation takes a tenth of the time of the component's.
-Point find_default_start(const Region& all, const Region& around);
-/// The same with a target area: within it, if the robot fits there, else within half a tool's width of it. None if that
-/// is out of reach.
-std::optional<Point> start_in_target_area(const Region& all, const Region& target_area, double tool_width);
+/// Where a robot starts by default: at the roomiest point of free space (Mesh::roomiest_point) that lies in the largest
+/// component (the first of equals), or at the component's own if none does. With a target area: the same of that, if
+/// the robot fits there, or else within half a tool's width of it. Neither free space nor target area has arcs, so
+/// their triangulation takes a tenth of the time of the component's.
+Point find_default_start(const Region& all, const Region& free, const std::optional<Region>& target_area,
+                         double tool_width);
 
 }  // namespace oxturn

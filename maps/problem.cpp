@@ -65,7 +65,8 @@ Region repaired_target_area(const Map& map) {
   return target;
 }
 
-/// By default. The area of a drawing is thin lines, and where the robot begins does not matter for them.
+/// Does the robot start in the target area by default? That of a drawing is thin lines, and where the robot begins does
+/// not matter for them.
 bool starts_in_target(const Map& map) { return map.target_area && !map.drawing; }
 
 void require_finite(const char* what, const std::optional<Point>& p) {
@@ -200,10 +201,8 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   const Region all = eroded(map, map.free, robot);
   const auto basis = std::make_shared<ProblemBasis>();
   basis->tolerance = tolerance_of(map.free, robot);
-  if (!start && !(robot.tether && anchor)) {
-    if (starts_in_target(map)) start = start_in_target_area(all, *map.target_area, robot.tool_width);
-    if (!start) start = find_default_start(all, map.free);
-  }
+  if (!start && !(robot.tether && anchor))
+    start = find_default_start(all, map.free, starts_in_target(map) ? map.target_area : std::nullopt, robot.tool_width);
   basis->start = start                    ? *start
                  : holds(all, *anchor, 0) ? *anchor
                                           : nearest_point_inside(all, *anchor, robot.tool_width);
@@ -295,9 +294,9 @@ std::string Problem::content_hash() const {
 Point default_start(const Map& map, const Robot& robot) {
   check(robot);
   const Region free = repaired_or_named(map), all = eroded(map, free, robot);
-  std::optional<Point> start;
-  if (starts_in_target(map)) start = start_in_target_area(all, repaired_target_area(map), robot.tool_width);
-  return start ? *start : find_default_start(all, free);
+  std::optional<Region> target_area;
+  if (starts_in_target(map)) target_area = repaired_target_area(map);
+  return find_default_start(all, free, target_area, robot.tool_width);
 }
 
 }  // namespace oxturn

@@ -310,13 +310,15 @@ TEST(Problem, DefaultStartIsInsideTheLargestRoom) {
   EXPECT_EQ(p.anchor(), p.start());
 }
 
-// The hall has the widest circle, but the corridors more area. It is also well inside where the robot barely fits, and
-// where no triangle of free space has its centre in configuration space.
+// The hall has the widest circle, but the corridor more area. In the closet no triangle of free space has its centre
+// where the robot fits.
 TEST(Problem, DefaultStartIsInTheLargestComponentWhateverIsWider) {
   const Region hall = box_region({0, 0}, {4, 4}), corridor = box_region({5, 0}, {45, 1});
   const Map both{"both", unite({hall, corridor}), "", ""};
   EXPECT_GT(default_start(both, disc(0.3, 0.6)).x(), 5);
   EXPECT_LT(default_start(both, disc(0.49, 0.98)).x(), 5);  // the corridor's part is a thin line
+  const Map closet = square(1.2);
+  EXPECT_GT(distance_to_walls(closet.free, default_start(closet, disc(0.5, 1))), 0.55);
   for (const auto seed : seeds(12))
     for (const std::string name : {"maze", "cave", "clutter", "rooms", "speckle"}) {
       const Map map = oxturn::generate(name, {{"width", 12.0}, {"height", 12.0}}, seed);
