@@ -70,13 +70,29 @@ class CutLocus {
  public:
   explicit CutLocus(const GeodesicCones& cones) : cones_(cones) {}
 
-  std::vector<CutPiece> run() {
-    for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones_.mesh().triangles().size()); ++t) find_pieces(t);
+  /// In the triangles that have points farther from the anchor than `beyond`, and possibly in others.
+  std::vector<CutPiece> run(double beyond) {
+    for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones_.mesh().triangles().size()); ++t)
+      if (most_in(t) > beyond) find_pieces(t);
     pieces_.shrink_to_fit();
     return std::move(pieces_);
   }
 
  private:
+  /// No point of the triangle is farther from the anchor: distances grow by no more than points move.
+  double most_in(std::int32_t t) const {
+    constexpr double kRounding = 1e-9;  // relative
+    const Facet facet = cones_.facet(t);
+    double most = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& p = facet.vertices()[k];
+      double longest = 0;
+      for (const Point& q : facet.vertices()) longest = std::max(longest, distance(p, q));
+      most = std::min(most, cones_.to_vertex(t, k) + longest);
+    }
+    return most * (1 + kRounding);
+  }
+
   void find_pieces(std::int32_t t) {
     const auto several = [](const Facet&, std::span<const Cone> here) { return here.size() > 1; };
     cones_.for_each_part(t, several, [&](const Facet& part, std::span<const Cone> here) {
@@ -250,7 +266,7 @@ double farthest_of(const GeodesicCones& cones, const CutPiece& piece) {
 }  // namespace
 
 const std::vector<CutPiece>& GeodesicCones::cut_pieces() const {
-  std::call_once(cut_once_, [this] { cut_ = CutLocus(*this).run(); });
+  std::call_once(cut_once_, [this] { cut_ = CutLocus(*this).run(0); });
   return cut_;
 }
 
@@ -258,7 +274,9 @@ std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_erro
   constexpr int kMostHalvings = 40;
   if (!(chord_error > 0)) throw_invalid("chord error of a cut locus must be above 0 metres");
   std::vector<Polyline> out;
-  for (const CutPiece& piece : cones.cut_pieces()) {
+  std::vector<CutPiece> far;  // by far fewer, so they are found without all others
+  if (beyond > 0) far = CutLocus(cones).run(beyond);
+  for (const CutPiece& piece : beyond > 0 ? far : cones.cut_pieces()) {
     if (farthest_of(cones, piece) <= beyond) continue;
     const GeodesicCones::Root &u = cones.root(piece.root), &v = cones.root(piece.other);
     if (piece.straight) {
@@ -280,7 +298,7 @@ double farthest_of(const GeodesicCones& cones) {
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones.mesh().triangles().size()); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       if (const double d = cones.to_vertex(t, k); std::isfinite(d)) most = std::max(most, d);
-  for (const CutPiece& piece : cones.cut_pieces()) most = std::max(most, farthest_of(cones, piece));
+  for (const CutPiece& piece : CutLocus(cones).run(most)) most = std::max(most, farthest_of(cones, piece));
   return most;
 }
 
