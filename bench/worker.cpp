@@ -74,7 +74,11 @@ MapSource source_of(const MapSpec& spec) {
 /// What each process would build for itself. Planners for tethered robots take shortest paths from elsewhere.
 void build_shared_parts(const Suite& suite, const Problem& problem) {
   build_scoring_parts(problem);
-  if (suite.planners.size() > 1 && !problem.robot().tether) problem.transit();
+  if (suite.planners.size() < 2) return;
+  if (const TetherModel* tether = problem.tether())
+    tether->geodesics().find_cut_locus();
+  else
+    problem.transit();
 }
 
 Setting set_up(const Work& work, const SuiteCell& cell) {

@@ -14,12 +14,12 @@ MOST_SECONDS = 20
 
 INTRODUCTION = """\
 Planning alone, on one core, with each planner's defaults; planners for tethered robots with a tether of 1.2 times the
-distance of the farthest point. For robots without a tether, the triangulation of configuration space in which most
-planners look for shortest paths is made once for each problem and is not in the figures. A size is the number of
-squares of side tool width / sqrt 2 in free space. Order: the slope of log seconds over log cells; n log n has 1.09.
-MB: the greatest of the sizes, beyond what the problem takes. A run without a path shows its outcome: `timeout` is more
-than 20 s of processor time; an empty field was not run. The figures are those of one machine: orders carry over,
-seconds do not.
+distance of the farthest point. What most planners of a table need is made once for each problem and is not in the
+figures: the triangulation of configuration space in which they look for shortest paths, or for tethered robots the cut
+locus of the anchor. A size is the number of squares of side tool width / sqrt 2 in free space. Order: the slope of log
+seconds over log cells; n log n has 1.09. MB: the greatest of the sizes, beyond what the problem takes. A run without a
+path shows its outcome: `timeout` is more than 20 s of processor time; an empty field was not run. The figures are those
+of one machine: orders carry over, seconds do not.
 
 Planners whose time is a budget of moves, `shortest` and `polished`, are not in the tables: [anytime](anytime.md) shows
 what they make of it.

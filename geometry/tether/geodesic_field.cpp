@@ -132,6 +132,7 @@ std::vector<std::vector<std::vector<GeodesicField::Arc>>> GeodesicField::level_s
 std::vector<Polyline> GeodesicField::cut_locus(double chord_error, double beyond) const {
   return cut_locus_of(*cones_, chord_error, beyond);
 }
+void GeodesicField::find_cut_locus() const { cones_->cut_pieces(); }
 
 Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord_error) {
   if (!(chord_error > 0)) throw_invalid("chord error of an arc must be above 0 metres");

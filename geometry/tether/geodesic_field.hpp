@@ -76,6 +76,8 @@ class GeodesicField {
   /// ends on walls are accurate to 1e-6 of the map's extent. Throws std::invalid_argument unless the error is positive.
   /// `beyond`: only pieces with a point that is farther from the anchor than so many metres.
   std::vector<Polyline> cut_locus(double chord_error, double beyond = 0) const;
+  /// Computes now what the first call of cut_locus() without `beyond` would, and keeps it.
+  void find_cut_locus() const;
 
  private:
   Point anchor_;
