@@ -274,7 +274,7 @@ std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_erro
   constexpr int kMostHalvings = 40;
   if (!(chord_error > 0)) throw_invalid("chord error of a cut locus must be above 0 metres");
   std::vector<Polyline> out;
-  std::vector<CutPiece> far;  // by far fewer, so they are found without all others
+  std::vector<CutPiece> far;  // far fewer than all, which are not found for them
   if (beyond > 0) far = CutLocus(cones).run(beyond);
   for (const CutPiece& piece : beyond > 0 ? far : cones.cut_pieces()) {
     if (farthest_of(cones, piece) <= beyond) continue;
