@@ -32,6 +32,7 @@ constexpr double kLane = 0.98;                // distance of lanes at most: they
 constexpr std::size_t kShortestCorridor = 2;  // slabs: each lane is a detour of its own
 constexpr double kStep = 1.0 / 8;             // between the points of a lane that are looked at
 constexpr double kStop = 1.0 / 50;            // length of a stop
+constexpr double kOffWall = 1e-4;             // of that: where rounding puts a position outside, a stop begins off it
 constexpr double kReach = 0.5 * 0.999;        // from which a stop covers
 constexpr double kBeside = 0.5 * 1.01;        // from a wall: about what an arc of it covers
 constexpr double kAttached = 4;               // that it takes to attach a detour
@@ -289,7 +290,8 @@ class Repair {
     end_part();
   }
 
-  /// Some free point near by, because the tool works along segments only: along the wall, or to any side.
+  /// With some free point near by, because the tool works along segments only: along the wall, or to any side. A
+  /// position on a wall may be outside by rounding: then a little off it.
   Ring stop_at(const Point& at) const {
     const double far = kStop * width_;
     std::vector<Point> ends;
@@ -301,6 +303,10 @@ class Repair {
     for (int k = 0; k < 8; ++k) ends.push_back(at + rotated({far, 0}, k * kPi / 4));
     for (const Point& end : ends)
       if (walls_.contains(at, end)) return {at, end};
+    for (int k = 0; k < 64; ++k) {
+      const Point end = at + rotated({far, 0}, k * kPi / 32), from = lerp(at, end, kOffWall);
+      if (walls_.contains(from, end)) return {from, end};
+    }
     return {at};
   }
 

@@ -19,6 +19,7 @@ constexpr double kShareOfEdge = 0.499;  // that a turn may take from the segment
 constexpr double kShareOfReach = 0.99;  // of what the turn may be cut by
 constexpr double kShortest = 0.02;      // of the reach: shorter segments are of no use
 constexpr double kSamePoint = 1e-9;     // of the reach
+constexpr double kOnPath = 1e-5;        // of the reach: the piece's centre is on the path
 
 bool covers(const Point& at, const Polygon& piece, double reach) {
   return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
@@ -58,7 +59,8 @@ std::optional<Stop> StopFinder::find(const Polygon& piece) const {
   std::optional<Stop> best;
   double least = std::numeric_limits<double>::infinity();
   for (const NearbySegments::Near& near : segments_.near(middle, kFarthest * reach_, kMostTried)) {
-    const Stop found = cut_short({near.segment, segments_.along(near), near.at, nearest_cover(near.at, middle, piece)});
+    const Stop found = cut_short({near.segment, segments_.along(near), near.at, covering(near, middle, piece)});
+    if (found.at == near.at) continue;  // a segment without length
     const double detour = length(found);
     if (detour >= least || !walls_.contains(near.at) || !walls_.contains(near.at, found.at)) continue;
     best = found;
@@ -67,14 +69,23 @@ std::optional<Stop> StopFinder::find(const Polygon& piece) const {
   return best;
 }
 
-/// On the line from the path to the piece's centre: the positions that cover the piece are an interval of it.
-Point StopFinder::nearest_cover(const Point& from, const Point& centre, const Polygon& piece) const {
+/// On the line from the path to the piece's centre: the positions that cover the piece are an interval of it. The tool
+/// works along segments only, so where the path, with the tool off, passes the centre, the stop is a part of it or
+/// leads on beyond the centre.
+Point StopFinder::covering(const NearbySegments::Near& from, const Point& centre, const Polygon& piece) const {
+  const double least = kShortest * reach_;
+  if (from.distance < least) {
+    const Point &a = path_[from.segment], &b = path_[from.segment + 1];
+    const Point& end = distance(from.at, a) > distance(from.at, b) ? a : b;
+    const Point& on = from.distance > kOnPath * reach_ ? centre : end;
+    return on == from.at ? on : lerp(from.at, on, least / distance(from.at, on));
+  }
   double outside = 0, inside = 1;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (outside + inside) / 2;
-    (covers(lerp(from, centre, middle), piece, reach_) ? inside : outside) = middle;
+    (covers(lerp(from.at, centre, middle), piece, reach_) ? inside : outside) = middle;
   }
-  return lerp(from, centre, std::max(inside, std::min(1.0, kShortest * reach_ / distance(from, centre))));
+  return lerp(from.at, centre, std::max(inside, least / from.distance));
 }
 
 /// At a turn of the path, with the turn cut off if nothing is lost by that.

@@ -51,7 +51,7 @@ class StopFinder {
   const NearbySegments& segments() const { return segments_; }
 
  private:
-  Point nearest_cover(const Point& from, const Point& centre, const Polygon& piece) const;
+  Point covering(const NearbySegments::Near& from, const Point& centre, const Polygon& piece) const;
   Stop cut_short(Stop stop) const;
 
   const Polyline& path_;

@@ -67,6 +67,31 @@ TEST(Repair, FeetOnLanesOrTheBoundaryCoverEveryPoint) {
     }
 }
 
+/// The path, and then once along the outer boundary of configuration space with the tool off.
+Path along_walls_with_tool_off(const Problem& p, Path path) {
+  Polyline walls = p.configuration_space().polygons[0].outer;
+  walls.push_back(walls.front());
+  const Point end = path.legs.empty() ? p.start() : path.legs.back().points.back();
+  path.legs.push_back({false, Connector(p).path(end, walls.front())});
+  path.legs.push_back({false, walls});
+  return path;
+}
+
+// Stops on walls are segments, even where the path passes them already and rounding puts them outside: from a point
+// alone the tool would cover nothing.
+TEST(Repair, StopsOnWallsThatThePathFollowsWithItsToolOff) {
+  const Robot robot = disc(0.2, 0.85);
+  for (const auto seed : seeds(60)) {
+    SCOPED_TRACE(seed);
+    const Problem p(generate("polygon", {{"width", 12.0}, {"height", 6.0}, {"corners", 40}}, seed), robot);
+    const Path path = along_walls_with_tool_off(p, plan("field-predictive", p, {{"repair", false}}));
+    const Path whole = repaired(p, path);
+    expect_valid(p, whole);
+    for (const Polygon& piece : uncovered(p.target(), whole, robot).polygons)
+      EXPECT_LT(2 * area(piece), 1.01 * covered_seam(robot) * perimeter({{piece}})) << to_text(piece.outer[0]);
+  }
+}
+
 TEST(Repair, ACompletePathStaysAsItIs) {
   const Problem p(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 3), Robot{});
   const Path path = plan("boustrophedon", p);

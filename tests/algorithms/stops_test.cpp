@@ -38,6 +38,26 @@ bool covered(const Path& path, double reach, const Polygon& piece) {
   return subtract({{piece}}, swept(path, reach, Bound::outside)).empty();
 }
 
+// A path that passes the centre of a piece with its tool off covers nothing there.
+TEST(Stops, SwitchTheToolOnWhereThePathPassesThePiece) {
+  const EdgeIndex walls(kHall);
+  for (const double off : {0.0, 1e-12, 1e-7, 1e-4})
+    for (const Polyline& line :
+         {Polyline{{-5, off}, {5, off}}, Polyline{{0, off}, {5, off}}, Polyline{{-5, 0}, {0, off}}}) {
+      PathBuilder builder(line.front());
+      builder.drive(line, false);
+      const Path path = builder.take();
+      std::vector<Polygon> pieces{speck({0, 0}, 0.5)};
+      const Polygon piece = pieces.front();
+      const Path longer = with_stops(path, line.front(), pieces, 1, walls);
+      ASSERT_TRUE(pieces.empty());
+      Path on = longer;
+      std::erase_if(on.legs, [](const Leg& leg) { return !leg.tool || length(leg.points) < 1e-3; });
+      EXPECT_TRUE(covered(on, 1 + 1e-3, piece)) << off;
+      EXPECT_LT(longer.length(), path.length() + 0.05);
+    }
+}
+
 // The lemma on which it rests: angles from 10 to 170 degrees, pieces outside of the turn at any distance.
 TEST(Stops, CutOffTurnsWithoutLoss) {
   const EdgeIndex walls(kHall);
