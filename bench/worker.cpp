@@ -71,7 +71,8 @@ MapSource source_of(const MapSpec& spec) {
   return {spec.file, spec.generator, generated ? spec.settings : spec.read, spec.seed};
 }
 
-/// What each process would build for itself. Planners for tethered robots take shortest paths from elsewhere.
+/// What each process would build for itself. Of several planners most need the triangulation for shortest paths, or for
+/// tethered robots the cut locus.
 void build_shared_parts(const Suite& suite, const Problem& problem) {
   build_scoring_parts(problem);
   if (suite.planners.size() < 2) return;

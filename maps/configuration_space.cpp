@@ -103,9 +103,8 @@ Point nearest_point_inside(const Region& all, const Point& p, double tool_width)
   return nearest;
 }
 
-Point find_default_start(const Region& all, const Region& free, const std::optional<Region>& target_area,
-                         double tool_width) {
-  if (target_area) {
+Point find_default_start(const Region& all, const Region& free, const Region* target_area, double tool_width) {
+  if (target_area != nullptr) {
     Region near = intersect(all, *target_area);
     if (near.empty()) near = intersect(all, dilate(*target_area, tool_width / 2, tool_width / 1000, Bound::inside));
     if (!near.empty()) return roomy_start(near, *target_area);

@@ -26,10 +26,9 @@ bool holds(const Region& region, const Point& p, double tolerance);
 Point nearest_point_inside(const Region& all, const Point& p, double tool_width);
 
 /// Where a robot starts by default: at the roomiest point of free space (Mesh::roomiest_point) that lies in the largest
-/// component (the first of equals), or at the component's own if none does. With a target area: the same of that, if
-/// the robot fits there, or else within half a tool's width of it. Neither free space nor target area has arcs, so
-/// their triangulation takes a tenth of the time of the component's.
-Point find_default_start(const Region& all, const Region& free, const std::optional<Region>& target_area,
-                         double tool_width);
+/// component (the first of equals), or at the component's own if none does. With a target area (nullptr: none): the
+/// same of that, if the robot fits there, or else within half a tool's width of it. Neither free space nor target area
+/// has arcs, so their triangulation takes a tenth of the time of the component's.
+Point find_default_start(const Region& all, const Region& free, const Region* target_area, double tool_width);
 
 }  // namespace oxturn

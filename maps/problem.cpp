@@ -202,7 +202,7 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   const auto basis = std::make_shared<ProblemBasis>();
   basis->tolerance = tolerance_of(map.free, robot);
   if (!start && !(robot.tether && anchor))
-    start = find_default_start(all, map.free, starts_in_target(map) ? map.target_area : std::nullopt, robot.tool_width);
+    start = find_default_start(all, map.free, starts_in_target(map) ? &*map.target_area : nullptr, robot.tool_width);
   basis->start = start                    ? *start
                  : holds(all, *anchor, 0) ? *anchor
                                           : nearest_point_inside(all, *anchor, robot.tool_width);
@@ -296,7 +296,7 @@ Point default_start(const Map& map, const Robot& robot) {
   const Region free = repaired_or_named(map), all = eroded(map, free, robot);
   std::optional<Region> target_area;
   if (starts_in_target(map)) target_area = repaired_target_area(map);
-  return find_default_start(all, free, target_area, robot.tool_width);
+  return find_default_start(all, free, target_area ? &*target_area : nullptr, robot.tool_width);
 }
 
 }  // namespace oxturn

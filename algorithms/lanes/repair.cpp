@@ -290,8 +290,9 @@ class Repair {
     end_part();
   }
 
-  /// With some free point near by, because the tool works along segments only: along the wall, or to any side. A
-  /// position on a wall may be outside by rounding: then a little off it.
+  /// A segment from there to some free point near by, because the tool works along segments only: along the wall, or to
+  /// any side. Where rounding puts a position on a wall outside, the segment begins a little off the wall. A single
+  /// point if there is no such segment.
   Ring stop_at(const Point& at) const {
     const double far = kStop * width_;
     std::vector<Point> ends;

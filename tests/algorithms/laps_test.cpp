@@ -71,8 +71,7 @@ TEST(Repair, FeetOnLanesOrTheBoundaryCoverEveryPoint) {
 Path along_walls_with_tool_off(const Problem& p, Path path) {
   Polyline walls = p.configuration_space().polygons[0].outer;
   walls.push_back(walls.front());
-  const Point end = path.legs.empty() ? p.start() : path.legs.back().points.back();
-  path.legs.push_back({false, Connector(p).path(end, walls.front())});
+  path.legs.push_back({false, Connector(p).path(path.legs.back().points.back(), walls.front())});
   path.legs.push_back({false, walls});
   return path;
 }

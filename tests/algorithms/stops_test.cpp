@@ -18,9 +18,9 @@ namespace {
 
 const Region kHall = box_region({-20, -20}, {20, 20});
 
-Path along(const Polyline& points) {
+Path along(const Polyline& points, bool tool = true) {
   PathBuilder path(points.front());
-  path.drive(points, true);
+  path.drive(points, tool);
   return path.take();
 }
 Region swept(const Path& path, double reach, Bound bound) {
@@ -44,9 +44,7 @@ TEST(Stops, SwitchTheToolOnWhereThePathPassesThePiece) {
   for (const double off : {0.0, 1e-12, 1e-7, 1e-4})
     for (const Polyline& line :
          {Polyline{{-5, off}, {5, off}}, Polyline{{0, off}, {5, off}}, Polyline{{-5, 0}, {0, off}}}) {
-      PathBuilder builder(line.front());
-      builder.drive(line, false);
-      const Path path = builder.take();
+      const Path path = along(line, false);
       std::vector<Polygon> pieces{speck({0, 0}, 0.5)};
       const Polygon piece = pieces.front();
       const Path longer = with_stops(path, line.front(), pieces, 1, walls);
